@@ -114,7 +114,7 @@ def form(checks, stage, what, array, function, factor, both=False, **properties)
     """The glyph of one tuple, in all colorings from several sides or in one from one: each program takes its time to be compiled."""
     view = stage.view
     shown = stage.show(session.poly_data(numpy.zeros((1, 3)), values=array[None]), Ambient=1.0, Diffuse=0.0, ScaleFactor=factor,
-                       GlyphTensorLookupTable=session.signs(WARM, COOL), **properties)
+                       GlyphDirectionKey="None", GlyphTensorLookupTable=session.signs(WARM, COOL), **properties)
     most = largest(function)
     views = (("Sign", (0.3, -0.5, 0.8)), ("Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
     for coloring, direction in views[:3 if both else 1]:

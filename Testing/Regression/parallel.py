@@ -40,13 +40,13 @@ def structured(view):
 
 
 def vectors(view):
-    """Arrows on the same image, scaled and turned by a vector array; some are much longer than others."""
+    """Arrows on the same image, scaled, turned and colored by a vector array, with the key; some are much longer than others."""
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     calculator = pv.Calculator(Input=wavelet, ResultArrayName="flow", Function="coordsY*iHat-coordsX*jHat+coordsZ*kHat")
     shown = session.glyphs(calculator, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="flow", ScaleMode="Magnitude", SelectScaleArray="flow",
                            ScaleFactor=0.35, **{"GlyphType.TipRadius": 0.25, "GlyphType.ShaftRadius": 0.1})
-    session.solid(shown, (0.3, 0.6, 0.9))
+    shown.GlyphDirectionColoring = "Sphere"
     look_at_cube(view)
     return shown
 
