@@ -239,7 +239,8 @@ class Row:
         for name, wanted in self.arrays.items():
             checks.equal("%s: %s" % (self.name, name), shown.SMProxy.GetProperty(name).GetElement(0), wanted)
         counted = session.statistics(shown)
-        coloring = str(shown.GlyphTensorColoring).strip("'")
+        own = [str(value).strip("'") for value in (shown.GlyphDirectionColoring, shown.GlyphTensorColoring)]
+        coloring = next((value for value in own if value != "None"), "None")
         found = shown.ColorArrayName.GetArrayName() if coloring == "None" else coloring
         checks.equal(self.name + ": color", found, self.color)
         checks.true("%s: the section Coloring has %s" % (self.name, shown.ColorArrayName.GetArrayName()),
