@@ -221,7 +221,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Vectors() const
   rtglyphs::GlyphSettings settings = *this;
   settings.Shape = rtg::Shape::Arrow;
   settings.Sizing = {};
-  settings.Orient = settings.Scaling = true;
+  settings.Orient = settings.Scaling = settings.OfVectors = true;
   settings.OrientationMode = DIRECTION;
   settings.ScaleMode = MAGNITUDE;
   settings.ScaleArray = settings.OrientationArray;
@@ -257,7 +257,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceEllipsoids() const
 rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceAtTips() const
 {
   rtglyphs::GlyphSettings settings = this->ConfidenceEllipsoids();
-  settings.Scaling = false;
+  settings.Scaling = settings.OfVectors = false;
   settings.Tensors.AtTips = true;
   settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
   return settings;

@@ -42,6 +42,7 @@ struct GlyphScaling
   GlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
   GlyphForms::Settings Forms;     // on: polynomials are the glyphs' form and size
   GlyphMask Mask;
+  bool OfVectors = false; // the scale array is that of the directions, of 2 or 3 components; else there are no glyphs
 
   bool operator==(const GlyphScaling&) const = default;
 };

@@ -33,11 +33,12 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
       this->LackingTensors = rtglyphs::RayTracedBlocks::Lacking(array);
     }
   }
-  if (scaling.Sizing.Split)
+  if (scaling.OfVectors)
   {
     const int components = this->ScaleArray ? this->ScaleArray->GetNumberOfComponents() : 0;
-    this->Problem = rtglyphs::GlyphArrays::Problem(scaling.ScaleArray, this->ScaleArray,
-      components == 2 || components == 3, "Split vectors need vectors", "SelectOrientationVectors", "2 or 3");
+    this->Problem =
+      rtglyphs::GlyphArrays::Problem(scaling.ScaleArray, this->ScaleArray, components == 2 || components == 3,
+        "Split and uncertain vectors need vectors", "SelectOrientationVectors", "2 or 3");
   }
   if (scaling.Forms.On)
   {

@@ -44,6 +44,10 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
     [](const Settings& settings)
     {
       const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples say by themselves what they are
+      if (settings.Tensors.AtTips)
+      {
+        return std::vector<int>{ 2, 3 };
+      }
       return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
     },
     "SelectOrientationVectors", "the glyphs are not turned", "have glyphs that are not turned" },
@@ -142,7 +146,7 @@ void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::G
   }
   for (const Description& how : table)
   {
-    if (how.IsWanted(settings))
+    if (how.IsWanted(settings) && !settings.Tensors.AtTips) // else the arrows have told
     {
       report(settings.*how.Name, how.Property, how.OfBlock);
     }

@@ -13,7 +13,7 @@ from vtkmodules.numpy_interface import dataset_adapter
 
 import simulation
 from shading_modes import pixels_of, write
-from shapes import source
+from simulation import source
 
 #: Stiffness in GPa at room temperature, c11 c12 c13 c33 c44 c14; of cubic crystals c13 is c12 and c33 is c11.
 CRYSTALS = (

@@ -8,7 +8,15 @@ import sys
 import paraview.simple as pv
 from paraview.modules.vtkRemotingViews import vtkSMTransferFunctionPresets
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Regression"))
+import session  # noqa: E402
+
 REPRESENTATION = "Ray Traced Glyphs"
+
+
+def source(points, **arrays):
+    """Points with arrays, by their names."""
+    return session.source(session.poly_data(points, **arrays))
 
 
 def new_view(size):

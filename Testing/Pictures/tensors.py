@@ -1,4 +1,5 @@
-"""Tensor fields and a packing of superquadrics: stress of the simulation, diffusion along a helix, a flow (shapes.py has the point load).
+"""Tensor fields, a packing of superquadrics, and vectors: stress of the simulation, diffusion along a helix, a flow, uncertainty, magnitudes over many powers of ten
+(shapes.py has the point load).
 
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython tensors.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT]
 With RTGLYPHS_SHARED_DATA, a folder, also pictures of tensors.vtk and dt-helix.nhdr in it (../Kernels/TensorTest.cxx names their sources).
@@ -11,8 +12,7 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.numpy_interface import dataset_adapter
 
-from shapes import source
-from simulation import begin, look, new_view, preset_name, save, show
+from simulation import begin, look, new_view, preset_name, save, show, source
 
 
 def arrays_of(reader):
@@ -96,6 +96,57 @@ def flow(view, _, __):
     look(view, (2.9, -2.6, 12.2), (2.9, 2.75, 0.0), (0.0, 1.0, 0.0))
 
 
+def colored_by(shown, name, low, high, preset="Viridis"):
+    """By an array, on a scale."""
+    pv.ColorBy(shown, ("POINTS", name), True)
+    table = pv.GetColorTransferFunction(name, shown, separate=True)
+    table.ApplyPreset(preset_name(preset), True)
+    table.RescaleTransferFunction(low, high)
+
+
+def split_vectors(view, _, __):
+    """The field of two magnetic dipoles, one a tenth of the other, in the plane of both; colored by the power of ten."""
+    x, y = (a.ravel() for a in numpy.meshgrid(numpy.linspace(-3.0, 3.0, 13), numpy.linspace(-2.0, 2.0, 9)))
+    points, field = numpy.stack([x, y, 0.0 * x], axis=1), 0.0
+    for place, moment in (((-1.27, 0.21, 0.0), (0.0, 1.0, 0.0)), ((1.76, -0.31, 0.0), (0.06, 0.08, 0.0))):
+        r, m = points - place, numpy.array(moment)
+        d = numpy.linalg.norm(r, axis=1)[:, None]
+        field = field + 3.0 * r * (r @ m)[:, None] / d ** 5 - m / d ** 3
+    power = numpy.floor(numpy.log10(numpy.linalg.norm(field, axis=1)))
+    shown = show(source(points, field=field, power=power), view, "Split Vector", SelectOrientationVectors="field", ScaleFactor=0.4, GlyphLegend="Lower Right",
+                 GlyphLegendColor=[0.0, 0.0, 0.0], **{"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.035, "GlyphType.TipRadius": 0.09})
+    colored_by(shown, "power", power.min(), power.max())
+    look(view, (0.0, -2.6, 9.3), (0.0, -0.12, 0.0), (0.0, 1.0, 0.0))
+
+
+def uncertain_vectors(view, _, __):
+    """The mean of a vortex whose middle is uncertain by a Gaussian, and the covariances of 500 samples of it."""
+    x, y = (a.ravel() for a in numpy.meshgrid(numpy.linspace(-3.0, 3.0, 10), numpy.linspace(-2.1, 2.1, 7)))
+    points = numpy.stack([x, y, 0.0 * x], axis=1)
+    middles = numpy.random.default_rng(1).normal(scale=(0.3, 0.15, 0.3), size=(500, 3))
+    r = points[None] - middles[:, None]
+    flows = numpy.stack([-r[..., 1], r[..., 0], 0.3 * r[..., 2]], axis=-1) / (0.5 + (r ** 2).sum(axis=-1, keepdims=True))
+    mean = flows.mean(axis=0)
+    covariance = numpy.einsum("spi,spj->pij", flows - mean, flows - mean).reshape(-1, 9) / (len(flows) - 1)
+    shown = show(source(points, mean=mean, covariance=covariance, speed=numpy.linalg.norm(mean, axis=1)), view, "Uncertain Vector", SelectOrientationVectors="mean",
+                 GlyphTensorArray="covariance", ScaleFactor=0.8, GlyphConfidence=0.9)
+    colored_by(shown, "speed", 0.0, 0.7)
+    look(view, (0.0, -4.2, 8.4), (0.0, -0.1, 0.0), (0.0, 1.0, 0.0))
+
+
+def confidence_ellipsoids(view, _, __):
+    """Atoms of a benzene molecule that turns and shakes in a crystal: half of the time each is in its ellipsoid."""
+    angles = numpy.radians(60.0 * numpy.arange(6))
+    ring = numpy.stack([numpy.cos(angles), numpy.sin(angles), 0.0 * angles], axis=1)
+    points, radii = numpy.concatenate([1.39 * ring, 2.48 * ring]), numpy.repeat([1.39, 2.48], 6)
+    around, out = numpy.tile(numpy.stack([-ring[:, 1], ring[:, 0], 0.0 * angles], axis=1), (2, 1)), numpy.array([0.0, 0.0, 1.0])
+    covariance = 0.02 * numpy.eye(3) + 0.011 * (radii ** 2)[:, None, None] * numpy.einsum("pi,pj->pij", around, around) + 0.02 * numpy.outer(out, out)
+    shown = show(source(points, covariance=covariance.reshape(-1, 9), element=numpy.repeat([1.0, 0.0], 6)), view, "Confidence Ellipsoid", GlyphTensorArray="covariance",
+                 GlyphConfidence=0.5, ScaleFactor=1.0, ShadingMode="Ambient Occlusion", SamplesPerPixel=64)
+    colored_by(shown, "element", -0.5, 1.5)
+    look(view, (2.1, -7.0, 8.3), (0.0, -0.1, 0.0), (0.0, 1.0, 0.0))
+
+
 def third_party(view, path):
     """The eight tensors of tensors.vtk, by sign, or the helix of dt-helix.nhdr."""
     if path.endswith("tensors.vtk"):
@@ -123,7 +174,8 @@ def main():
     data, folder = begin()
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
-    pictures = {"flow": flow, "packing": packing, "grain_stress": grain_stress, "helix": helix}
+    pictures = {"flow": flow, "packing": packing, "grain_stress": grain_stress, "helix": helix, "split_vectors": split_vectors,
+                "uncertain_vectors": uncertain_vectors, "confidence_ellipsoids": confidence_ellipsoids}
     shared = os.environ.get("RTGLYPHS_SHARED_DATA", "")
     for name, file in (("tensors-vtk", "tensors.vtk"), ("dt-helix", "dt-helix.nhdr")):
         path = os.path.join(shared, file)

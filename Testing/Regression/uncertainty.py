@@ -109,6 +109,11 @@ def tips(checks, view):
     for array, words in (("None", ("GlyphTensorArray",)), ("lost", ("'lost'", "GlyphTensorArray"))):
         said = session.messages(lambda array=array: setattr(shown, "GlyphTensorArray", array) or pv.Render(view))
         checks.one_message("covariances of %s" % array, said, *words)
+    shown.GlyphTensorArray = "nine"
+    for array, words in (("nine", ("'nine'", "SelectOrientationVectors", "9 components", "2 or 3")), ("gone", ("'gone'", "SelectOrientationVectors"))):
+        said = session.messages(lambda array=array: setattr(shown, "SelectOrientationVectors", array) or pv.Render(view))
+        checks.one_message("vectors of %s" % array, said, *words)
+        checks.covered("nothing of vectors of %s" % array, session.capture(view, "uncertainty-none"), 0.0, 0.0)
     stages[0].close()
 
 

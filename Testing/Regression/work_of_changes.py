@@ -94,6 +94,7 @@ FIELDS = {
         "Motion": "GlyphMotion::Settings",
         "TrailSteps": "needs time steps; see trails.py",
         "TrailJoined": "needs time steps; see trails.py",
+        "OfVectors": "with Split Vector and Uncertain Vector; see Split",
         "Mask": "GlyphMask",
         "RadiusArray": [({}, "GlyphRadiusArray", "length", "glyphs"), (TENSOR, "GlyphRadiusArray", "length", "nothing")],
         "RadiusFactor": [({"GlyphRadiusArray": "length"}, "GlyphRadiusFactor", 0.1, "glyphs"), ({}, "GlyphRadiusFactor", 0.1, "nothing")],
