@@ -217,17 +217,19 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0,
     static_cast<vtkMTimeType>(this->Settings.DirectionColoring) };
+  std::vector<double> numbers;
   if (this->Settings.HasNumberRange())
   {
-    for (double end : this->TensorRange)
-    {
-      state.emplace_back();
-      std::memcpy(&state.back(), &end, sizeof(end));
-    }
+    numbers.assign(this->TensorRange.begin(), this->TensorRange.end());
   }
   if (this->Settings.TrailSteps > 0)
   {
-    state.push_back(std::bit_cast<std::uint64_t>(this->TrailFading));
+    numbers.push_back(this->TrailFading);
+  }
+  for (double number : numbers)
+  {
+    state.emplace_back();
+    std::memcpy(&state.back(), &number, sizeof(number));
   }
   return state;
 }
