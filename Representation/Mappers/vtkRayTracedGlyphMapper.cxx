@@ -215,17 +215,19 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   const bool usesTable = byRadius || (tensors.On && rtglyphs::GlyphTensors::IsNumber(coloring));
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+  // g++ 10 has no std::bit_cast.
+  const auto add = [&state](double number)
+  {
+    state.emplace_back();
+    std::memcpy(&state.back(), &number, sizeof(number));
+  };
   if (this->Settings.HasNumberRange())
   {
-    for (double end : this->TensorRange)
-    {
-      state.emplace_back();
-      std::memcpy(&state.back(), &end, sizeof(end));
-    }
+    std::for_each(this->TensorRange, this->TensorRange + 2, add);
   }
   if (this->Settings.TrailSteps > 0)
   {
-    state.push_back(std::bit_cast<std::uint64_t>(this->TrailFading));
+    add(this->TrailFading);
   }
   return state;
 }
