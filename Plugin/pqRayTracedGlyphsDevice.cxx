@@ -15,11 +15,6 @@
 
 namespace
 {
-void Warn(const std::string& words)
-{
-  vtkOutputWindow::GetInstance()->DisplayWarningText((words + "\n").c_str());
-}
-
 // A server without the plugin has no such representations, and ParaView does not say why. Those who load it there when
 // a server is connected come first.
 void CheckServer(pqServer* server)
@@ -30,10 +25,10 @@ void CheckServer(pqServer* server)
       if (!server->proxyManager()->GetProxyDefinitionManager()->HasDefinition(
             "representations", "RayTracedGlyphRepresentation"))
       {
-        Warn("Ray Traced Glyphs: the server " + server->getResource().toURI().toStdString() +
+        const std::string words = "Ray Traced Glyphs: the server " + server->getResource().toURI().toStdString() +
           " has not loaded the plugin RayTracedGlyphs, so data there cannot be shown with it. Load it on the server, "
-          "too: "
-          "Tools > Manage Plugins, Remote Plugins.");
+          "too: Tools > Manage Plugins, Remote Plugins.\n";
+        vtkOutputWindow::GetInstance()->DisplayWarningText(words.c_str());
       }
     });
 }
@@ -49,7 +44,8 @@ pqRayTracedGlyphsDevice::pqRayTracedGlyphsDevice(QObject* parent)
 pqRayTracedGlyphsDevice::~pqRayTracedGlyphsDevice() = default;
 
 //----------------------------------------------------------------------------
-// Plugins are loaded before the window is shown, and drivers take some tenths of a second: events come first.
+// Plugins are loaded before the window is shown, and drivers take some tenths of a second: events come first. What is
+// missing is said when something is to be drawn, which a server may do.
 void pqRayTracedGlyphsDevice::startup()
 {
   QTimer::singleShot(0, this,
@@ -59,10 +55,6 @@ void pqRayTracedGlyphsDevice::startup()
       if (vtkRayTracedView::FindDevice(words))
       {
         vtkOutputWindow::GetInstance()->DisplayText((words + "\n").c_str());
-      }
-      else
-      {
-        Warn(words);
       }
     });
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();

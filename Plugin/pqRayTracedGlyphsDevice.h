@@ -1,10 +1,9 @@
 /**
  * @class   pqRayTracedGlyphsDevice
- * @brief   says once, when ParaView's window has started, which Vulkan device will trace or what is missing, here or on
- * a server
+ * @brief   says once, when ParaView's window has started, which Vulkan device will trace, and when a server lacks the
+ * plugin
  *
- * A device is plain information among ParaView's output messages; that there is none is a warning, and so is a server
- * without the plugin.
+ * A device is plain information among ParaView's output messages; a server without the plugin is a warning.
  */
 #ifndef pqRayTracedGlyphsDevice_h
 #define pqRayTracedGlyphsDevice_h

@@ -217,19 +217,19 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0,
     static_cast<vtkMTimeType>(this->Settings.DirectionColoring) };
-  std::vector<double> numbers;
-  if (this->Settings.HasNumberRange())
-  {
-    numbers.assign(this->TensorRange.begin(), this->TensorRange.end());
-  }
-  if (this->Settings.TrailSteps > 0)
-  {
-    numbers.push_back(this->TrailFading);
-  }
-  for (double number : numbers)
+  // g++ 10 has no std::bit_cast.
+  const auto add = [&state](double number)
   {
     state.emplace_back();
     std::memcpy(&state.back(), &number, sizeof(number));
+  };
+  if (this->Settings.HasNumberRange())
+  {
+    std::for_each(this->TensorRange, this->TensorRange + 2, add);
+  }
+  if (this->Settings.TrailSteps > 0)
+  {
+    add(this->TrailFading);
   }
   return state;
 }
