@@ -5,7 +5,7 @@
 namespace rtg
 {
 
-/// The rays of an image. A ray through normalised device coordinates (x, y) in [-1, 1], y up, starts at
+/// The rays of an image. A ray through normalized device coordinates (x, y) in [-1, 1], y up, starts at
 /// eye + x * eyeRight + y * eyeUp and runs along forward + x * right + y * up, whose component along
 /// the view axis is 1: a point at ray parameter s lies at view depth s.
 /// Perspective: eyeRight = eyeUp = 0. Parallel: right = up = 0.
@@ -35,7 +35,7 @@ struct Camera
 
   bool operator==(const Camera&) const = default;
 
-  /// The rays that rasterisation with this matrix (OpenGL clip space, column vectors, world to clip) sees.
+  /// The rays that rasterization with this matrix (OpenGL clip space, column vectors, world to clip) sees.
   /// Handles off-axis frusta (stereo, tiles). Throws rtg::Error when the matrix is singular or not finite.
   static Camera FromWorldToClip(const glm::dmat4& worldToClip);
 };

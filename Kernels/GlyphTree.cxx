@@ -68,7 +68,7 @@ public:
       }
       if (count <= fewGlyphs)
       {
-        // A glyph's place is the number of those before it, counted without branches that nobody can predict.
+        // A glyph's place is the number of those before it, counted without unpredictable branches.
         std::uint8_t places[fewGlyphs] = {};
         for (std::size_t i = 1; i < count; ++i)
         {

@@ -38,14 +38,14 @@ RTG_ARRAY(FloatImage, float, , 4)
 struct TreeRecord
 {
   RTG_ADDRESS(UintArray) nodes; // GlyphTreeNode
-  RTG_ADDRESS(UintArray) order; // slice by slice, the thing at each place, or none (specialised)
+  RTG_ADDRESS(UintArray) order; // slice by slice, the thing at each place, or none (specialized)
   uint levels;
   uint leafBits;
   uint sliceBits;
   uint nodesPerSlice;
 };
 
-// What programs are told of a set, or of one of the driver's structures of it (the custom index of its instance). Only
+// The record of a set, or of one of the driver's structures of it (the custom index of its instance). Only
 // what the set's variants ask for means something.
 struct GlyphSetRecord
 {
@@ -68,15 +68,15 @@ struct GlyphSetRecord
   uint glyphCount;
   uint translucent;                   // belongs to the translucent pass
   uint mask;                          // one bit of instance masks
-  uint coloured;                      // glyphs have colours of their own, also in ambient light
-  RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialised
+  uint coloured;                      // glyphs have colors of their own, also in ambient light
+  RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialized
   uint colourTableSize;
   float coatReflectance; // of the coat at normal incidence
   // Of mesh glyphs, with positions relative to the middle of the mesh
   RTG_ADDRESS(Vec3Array) meshPositions;
   RTG_ADDRESS(UintArray) meshTriangles;  // three a triangle
-  RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialised, as velocities and accelerations
-  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialised)
+  RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialized, as velocities and accelerations
+  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialized)
   RTG_ADDRESS(Vec3Array) meshVelocities; // MeshTree.h
   RTG_ADDRESS(Vec3Array) meshAccelerations;
   uint meshValueCount; // values of positions, behind which the table lies
@@ -92,7 +92,7 @@ struct GlyphSetRecord
   uint sectionPlanes;
   uint sectionKeepsInside; // of the body, else what is outside it
   uint sectionFaces;       // rtg::Section::Faces
-  uint sectionColours;     // caps have the colour
+  uint sectionColours;     // caps have the color
   vec3 sectionColour;
 };
 
@@ -129,11 +129,11 @@ struct ProbeResult
 // What a pixel has gathered, when samples will be added later.
 struct PixelSums
 {
-  vec3 colour;    // of the samples that hit: colour times opacity, as a sum of two floats
+  vec3 colour;    // of the samples that hit: color times opacity, as a sum of two floats
   vec3 colourLow; // what rounding has left of it
   float opacity;  // likewise
   float opacityLow;
-  float depth; // view depth of the nearest sample that hit; of the centre's, negated, if that hit
+  float depth; // view depth of the nearest sample that hit; of the center's, negated, if that hit
 };
 
 // Sums of what the samples' camera rays hit, for denoising and scripts.
@@ -164,7 +164,7 @@ const uint UNSEEN_OPAQUE_MASK = 4u;
 const uint UNSEEN_TRANSLUCENT_MASK = 8u;
 const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSEEN_TRANSLUCENT_MASK;
 
-// Layers of translucent surfaces that one traversal gathers at most, and the share of light below which what shines
+// Layers of translucent surfaces that one traversal gathers at most, and the fraction of light below which what shines
 // through them is left out: half a level of a display's 255.
 const uint LAYER_CAPACITY = 24u;
 const float LEAST_PASSING = 1.0f / 512.0f;
@@ -262,7 +262,7 @@ struct FrameRecord
   vec3 environmentRight;
   vec3 environmentUp;
   // Resolving
-  uint develops; // colours change on their way to the display
+  uint develops; // tone mapping changes colors
   float exposureFactor;
   uint toneMapping; // rtg::ToneMapping
   // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.

@@ -1,4 +1,4 @@
-// Glyphs and triangles that another process needs because they lie near its own, as bytes for the way there.
+// Glyphs and triangles that another process needs because they lie near its own, serialized.
 #pragma once
 
 #include "Box.h"

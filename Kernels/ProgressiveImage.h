@@ -1,5 +1,5 @@
-// One image that grows while somebody watches, or is traced at once: what it shows, how far it is, whether it can be
-// continued, and what it failed of. Nobody else decides these.
+// One image that is refined, or traced at once: its pixels, its progress, whether it can be
+// continued, and its failure. Only this class decides these.
 #pragma once
 
 #include "Tracer.h"
@@ -87,7 +87,7 @@ class ProgressiveImage
 public:
   enum class State
   {
-    Empty,    ///< nothing was asked for yet, or all was forgotten
+    Empty,    ///< no image was requested yet, or all was forgotten
     Growing,  ///< more samples are to come
     Finished, ///< it has all samples that the last effort wanted
     Failed    ///< there is none; see Failure
@@ -113,7 +113,7 @@ public:
   ProgressiveImage& operator=(const ProgressiveImage&) = delete;
 
   /// Makes the image of this view, or makes it better. Null: it failed, see GetFailure(). The image, of which there is
-  /// nothing unless HasPicture(), is valid until the next call. `interrupt` is told the progress of the image, as
+  /// nothing unless HasPicture(), is valid until the next call. `interrupt` gets the progress of the image, as
   /// Progress(), and ends the work early; the next call goes on with it. Throws nothing.
   const Image*
   Update(ImageSource& source, const ImageView& view, const ImageEffort& effort, const Interrupt& interrupt = {});
@@ -160,12 +160,12 @@ private:
   bool compiling_ = false, hasPicture_ = false;
   bool onlyLightChanged_ = false; ///< since there was a picture
   std::uint64_t version_ = 0;
-  std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last asked
+  std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last requested
   std::uint32_t planned_ = 1;        ///< likewise, when the first sample was traced
   std::uint32_t samples_ = 0;        ///< that all pixels have
   std::uint32_t previewStep_ = 0;    ///< of the preview that is there; 0: none
   bool pending_ = false;             ///< the tracer was interrupted, and goes on by Resume()
-  std::uint32_t pendingSamples_ = 0; ///< that it was asked for
+  std::uint32_t pendingSamples_ = 0; ///< as requested
   double pendingShare_ = 0.0;        ///< of them that is traced
   double pendingSeconds_ = 0.0;      ///< that this took
   bool canContinue_ = false;         ///< the tracer keeps the sums of samples_

@@ -21,7 +21,7 @@
 namespace rtg
 {
 
-/// Glyphs of a set that share a record: all of them, or what one of the driver's bottom-level structures may hold.
+/// Glyphs of a set with one record: all of them, or what one of the driver's bottom-level structures may hold.
 struct GlyphRun
 {
   std::uint32_t first = 0;
@@ -36,7 +36,7 @@ enum class Structure
   Tree   ///< our own trees (GlyphTree); on all other devices
 };
 
-/// What tells a set from others, and its programs: bits of Variants.h.
+/// Features of a set and its programs: bits of Variants.h.
 struct Variants
 {
   std::uint32_t bits = 0;
@@ -69,7 +69,7 @@ struct PlacedMesh
   AccelerationStructure structure; ///< of the driver, or instead of it:
   PlacedTree tree;
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
-  std::optional<bool> closed;                    ///< IsClosed() of the source, when it was asked for
+  std::optional<bool> closed;                    ///< IsClosed() of the source, once computed
 };
 
 /// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats
@@ -104,7 +104,7 @@ struct GlyphOrder
   double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
 };
 
-/// One glyph set: what was asked for, in the caller's order, and what of it is on the device.
+/// One glyph set: the caller's data in its order, and its arrays on the device.
 struct GlyphSet
 {
   GlyphInstances instances;
@@ -130,7 +130,7 @@ struct GlyphSet
   std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
 
   bool Shown() const { return this->visible && this->count > 0; }
-  /// Whether the driver knows the triangles of what is placed.
+  /// Whether the driver has the triangles of what is placed.
   bool DriverTriangles() const { return this->placed.mesh.structure.Address() != 0; }
   bool Translucent() const
   {

@@ -301,7 +301,7 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   {
     return;
   }
-  // What selects and hovers renders too, without a beginning: nobody listens to its user.
+  // Selecting and hovering render too, without a start event of the interactor.
   this->SinceStart.invalidate();
   vtkSMRayTracedViewProxy* scene = SceneOf(part);
   if (scene)

@@ -1,13 +1,13 @@
 /**
  * @class   pqRayTracedGlyphsRefinement
- * @brief   finishes ray-traced images while ParaView's window rests, and ends tracing that nobody wants any more
+ * @brief   finishes ray-traced images while ParaView's window rests, and stops tracing on the user's request
  *
  * A render in the window traces only what takes a tenth of a second or so. After each, this object renders the view
  * again until all samples are there: between two renders the window answers to its user, and none happens while the
  * camera is turned or an animation plays. ParaView's progress bar says how far the images are. Its Abort button, or Esc
  * in a view, leaves them as they are. When all views are finished no timer runs.
  *
- * A screenshot is one render with all samples. While it takes long this object looks for the same button and key, and
+ * A screenshot is one render with all samples. While it takes long this object checks the same button and key, and
  * lets nothing else happen in the window.
  */
 #ifndef pqRayTracedGlyphsRefinement_h

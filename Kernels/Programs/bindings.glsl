@@ -1,4 +1,4 @@
-// What every program sees: the frame, and what it is specialised for.
+// What every program sees: the frame, and what it is specialized for.
 #extension GL_EXT_spirv_intrinsics : require
 #extension GL_EXT_control_flow_attributes : require
 // Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on
@@ -42,19 +42,19 @@ GlyphSetRecord SetRecord(const uint index)
 // hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
 #define InSetIfHit(set, array, glyph) InSet(set, array, min(glyph, (set).glyphCount - 1u))
 
-// A glyph's own colour.
+// A glyph's own color.
 vec4 ColourOf(const GlyphSetRecord set, const uint glyph)
 {
   return unpackUnorm4x8(set.colours.at[InSetIfHit(set, COLOURS, glyph)]);
 }
 
-// What all of a glyph's surface has; its colours may lessen it.
+// What all of a glyph's surface has; its colors may lessen it.
 float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
 {
   return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;
 }
 
-// The colour of an interpolated value in a table that begins at that place: from 0 to 1 over all entries but two, that
+// The color of an interpolated value in a table that begins at that place: from 0 to 1 over all entries but two, that
 // of what is no number and that of what has no value.
 vec4 TableColour(const UintArray table, const uint first, const uint size, const float value)
 {
@@ -95,7 +95,7 @@ struct SurfaceHit
   vec4 colour;
   uint record;   // index of its GlyphSetRecord
   uint glyph;    // index in the set's sorted order
-  bool coloured; // its colour stands for something, also in ambient light
+  bool coloured; // its color stands for something, also in ambient light
 };
 
 SurfaceHit NoHit()

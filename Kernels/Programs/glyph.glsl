@@ -14,7 +14,7 @@ struct GlyphSource
 {
   GlyphSetRecord set;
   float time;
-  Glyph alike; // what all glyphs of the set share
+  Glyph alike; // values common to all glyphs of the set
 };
 
 GlyphSource SourceOf(const GlyphSetRecord set)
@@ -42,7 +42,7 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 {
   GlyphSetRecord set = source.set;
   Glyph glyph = source.alike;
-  // The set's offset is part of the centre; what rounding would lose stays in the low part.
+  // The set's offset is part of the center; what rounding would lose stays in the low part.
   DoubleWord3 centre = TwoSum(set.centres.at[primitive], set.offset);
   glyph.centre = centre.hi;
   glyph.centreLow = centre.lo + set.offsetLow;
@@ -181,8 +181,8 @@ float OpacityOf(const GlyphSetRecord set, const uint glyph)
   return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
 }
 
-// The colour of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
-// between those at its centre and farthest from it.
+// The color of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
+// between those at its center and farthest from it.
 vec4 ColourBetweenEnds(
   const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
 {
@@ -209,8 +209,8 @@ bool MayPass(const GlyphSetRecord set, const uint seed)
   return translucency && seed != 0u && set.translucent != 0u;
 }
 
-// Whether it passes the crossing of that number, or triangle, of a glyph: by chance, so that in the mean the share
-// 1 - opacity passes. The same answer however often it is asked.
+// Whether it passes the crossing of that number, or triangle, of a glyph: at random, so that on average the fraction
+// 1 - opacity passes. The result is the same at each call.
 bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const uint crossing, const float opacity)
 {
   return UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= opacity;

@@ -7,7 +7,7 @@
 
 struct Incidence
 {
-  vec3 direction;    // the way the light travels, unit
+  vec3 direction;    // in which the light travels, unit
   float distance;    // from where it comes; far for lights at infinity
   float attenuation; // zero: it does not arrive
   bool alongView;    // it shines and is seen along the view axis, in perspective too

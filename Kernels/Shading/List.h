@@ -13,7 +13,7 @@
 #define RTG_SHADINGS(ENTRY)                                                                                            \
   /* the view's lights, as if the surface were alone */                                                                \
   ENTRY(0, Local, image, /*scatters*/ false, /*linear*/ false, /*layers*/ true, /*environmentImage*/ false, nullptr, 28)                            \
-  /* times the share of light from all around that reaches it */                                                       \
+  /* times the unoccluded fraction of environment light */                                                       \
   ENTRY(1, AmbientOcclusion, occlusion, true, true, true, false, &TraceSettings::occlusionRays, 26)                          \
   /* all around and the view's lights, after up to maximumBounces scatterings */                                       \
   ENTRY(2, PathTracing, path, true, true, false, true, &TraceSettings::paths, 23)

@@ -40,7 +40,7 @@ vec3 ReflectLocal(const GlyphSetRecord set, const vec3 base, const vec3 ambient,
   return clamp(shaded, 0.0, 1.0);
 }
 
-// Colour of a hit, added to its ambient term. `position` is relative to the scene's origin, `direction` the ray's.
+// Color of a hit, added to its ambient term. `position` is relative to the scene's origin, `direction` the ray's.
 vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction, const vec3 ambient)
 {
   GlyphSetRecord set = SetRecord(hit.record);

@@ -2,13 +2,13 @@
 #ifndef RTG_REFLECTION
 #define RTG_REFLECTION
 
-// Radiance that comes from a unit direction where nothing is in the way and there is no environment image.
+// Radiance that comes from a unit direction of the sky, without an environment image.
 vec3 SkyRadiance(const vec3 direction)
 {
   return frame.environment * (1.0 + dot(direction, frame.skySlope));
 }
 
-// ParaView's ambient term is light that a surface gives off whatever shines on it; so is all that is shown without
+// ParaView's ambient term is emitted light; so is all that is shown without
 // lighting.
 vec3 EmissionOfHit(const SurfaceHit hit)
 {

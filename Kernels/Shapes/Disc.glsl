@@ -1,4 +1,4 @@
-// What the shapes with round cross-sections share.
+// Common code of shapes with round cross-sections.
 #ifndef RTG_DISC
 #define RTG_DISC
 

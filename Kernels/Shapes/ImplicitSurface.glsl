@@ -158,7 +158,7 @@ RTG_FN DoubleWord NextPlane(const Planes planes, const DoubleWord after, const D
   return next;
 }
 
-// What a family knows of f on a window [a, b], at whose start `way` f is positive.
+// A family's bounds of f on a window [a, b], at whose start f times the sign `way` is positive.
 struct Window
 {
   bool empty;  // f has no zero if its signs at the ends are the same

@@ -41,7 +41,7 @@ struct NestedField
   Planes planes;
 };
 
-// What plain arithmetic knows of the surface at one point of the ray.
+// The surface at one point of the ray in plain float.
 struct NestedProbe
 {
   DoubleWord where;
@@ -103,7 +103,7 @@ RTG_FN real SafeExp2(const real x)
   return x > real(-100.0) ? exp2(min(x, real(100.0))) : real(0.0);
 }
 
-// log2 of the p-norm of two numbers that are given by their logarithms, and the share of each in the sum of powers.
+// log2 of the p-norm of two numbers that are given by their logarithms, and the fraction of each in the sum of powers.
 RTG_FN real LogNorm(const real a, const real b, const real p, RTG_OUT(real2) share)
 {
   real high = max(a, b);
@@ -351,7 +351,7 @@ RTG_FN DoubleWord Magnitude(const DoubleWord a)
   return a;
 }
 
-// log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the share of each in the sum of powers. A rounded p would be
+// log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the fraction of each in the sum of powers. A rounded p would be
 // another surface, as a grazing ray notices.
 RTG_FN DoubleWord LogNorm(
   const DoubleWord a, const DoubleWord b, const real exponent, RTG_OUT(DoubleWord) shareA, RTG_OUT(DoubleWord) shareB)

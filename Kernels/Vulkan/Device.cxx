@@ -158,7 +158,7 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
     return *index;
   }
 
-  // A GPU first, integrated or not; else whatever traces.
+  // A GPU first, integrated or not; else any device that traces.
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
@@ -236,7 +236,7 @@ bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
     std::sscanf(compiler, "LLVM %d", &version) == 1 && version >= firstVersion;
 }
 
-// Runs `work`; turns whatever goes wrong with Vulkan's loader and drivers into an rtg::Error.
+// Runs `work`; throws failures of Vulkan's loader and drivers as rtg::Error.
 template <class Work>
 void StartingVulkan(Work&& work)
 {
@@ -402,7 +402,7 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   }
   catch (const vk::DeviceLostError&)
   {
-    // What was handed over may count as pending until somebody waits; it is given back when this function is left.
+    // A submission may count as pending until a wait; it is released when this function returns.
     try
     {
       const std::lock_guard<std::mutex> lock(this->queueMutex);

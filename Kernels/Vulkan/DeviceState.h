@@ -50,7 +50,7 @@ struct Device::State
   /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied.
   /// Tests switch it off to have a CPU device treated like others.
   bool sharesMemory = false;
-  /// The driver has acceleration structures and ray queries. Of a GPU it tells whether hardware finds what rays meet: a
+  /// The driver has acceleration structures and ray queries. For a GPU this means ray-tracing hardware: a
   /// driver that emulates it, as NVIDIA's does, has ray-tracing pipelines, but no ray queries
   /// (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
   bool rayQueries = false;
@@ -75,7 +75,7 @@ struct Device::State
   /// Leaves on disk what the driver has compiled since, where that can be done. In any thread.
   void SavePrograms() noexcept;
 
-  /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error
+  /// Runs `work`; throws failures of Vulkan, and exhausted memory of the computer, as one rtg::Error
   /// that says what was being done.
   template <class Work>
   auto Guard(const char* doing, Work&& work) -> decltype(work())

@@ -20,7 +20,7 @@ struct GlyphSource
   rtg::ArrowForm Arrow;       // radii and length of the tip
 
   /**
-   * That of an arrow, cone, box, cylinder or sphere that lies as the unit glyph does, whatever its resolution. Null:
+   * That of an arrow, cone, box, cylinder or sphere that lies as the unit glyph does, at any resolution. Null:
    * none.
    */
   explicit GlyphSource(vtkAlgorithm* algorithm);

@@ -38,7 +38,7 @@ class GlyphStepVelocity
 {
 public:
   /**
-   * The point array of one component that tells which point is which; "None" or empty: the global ids. Whether it is
+   * The point array of one component that identifies points; "None" or empty: the global ids. Whether it is
    * another than before, which forgets all steps.
    */
   bool SetPointIdArray(const std::string& name);

@@ -21,7 +21,7 @@ struct Meaning
 };
 
 constexpr int active = 45; // ParaView's attribute
-constexpr int turns = 120; // a body is turned by its rotation, whatever vectors there are
+constexpr int turns = 120; // a rotation orients a body, before any vector
 constexpr int tensor = 60; // the name of one
 
 // Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS, EXPONENTS

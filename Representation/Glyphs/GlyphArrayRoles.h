@@ -2,7 +2,7 @@
  * Which array of the data has which role for glyphs. The table in GlyphArrayRoles.cxx weighs what is known of an array:
  * the words of its name, ParaView's attributes, the number of components, and the range of its values.
  *
- * Words are told apart by case, digits and punctuation: 'c_radius', 'ParticleRadius' and 'radius2' are named a radius,
+ * Case, digits and punctuation separate words: 'c_radius', 'ParticleRadius' and 'radius2' are named a radius,
  * 'radiation' is not.
  */
 #ifndef GlyphArrayRoles_h

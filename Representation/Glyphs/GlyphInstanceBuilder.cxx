@@ -63,7 +63,7 @@ public:
         }
       },
       progress);
-    // Of a point's glyphs the first tells what is wrong with it.
+    // A point's first glyph counts its errors.
     Counts numbers{};
     for (vtkIdType k = 0; k < count; k += this->Parts)
     {
@@ -208,7 +208,7 @@ private:
     this->Motion.Finish(this->Instances.motion);
     if (this->Maker.IsRound())
     {
-      this->Instances.motion.angularVelocities.clear(); // it looks the same from all sides
+      this->Instances.motion.angularVelocities.clear(); // rotations are invisible
     }
   }
 

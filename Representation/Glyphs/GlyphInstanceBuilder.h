@@ -1,6 +1,6 @@
 /**
  * @class   GlyphInstanceBuilder
- * @brief   turns points and arrays into the glyph instances that the kernels trace
+ * @brief   builds the glyph instances that the kernels trace from points and arrays
  *
  * Which glyph a point has GlyphMaker says. Positions are made relative to the middle of the data in double
  * precision.

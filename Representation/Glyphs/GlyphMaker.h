@@ -44,7 +44,7 @@ class GlyphMaker
 {
 public:
   /**
-   * Takes the arrays that are there and fit; `messages` are told of others. The settings and their `sizes` stay the
+   * Takes the arrays that exist and fit; `messages` gets a warning for others. The settings and their `sizes` stay the
    * caller's.
    */
   GlyphMaker(vtkPolyData* points, const GlyphSettings& settings, vtkMatrix4x4* modelToWorld, const GlyphSizes& sizes,
@@ -97,7 +97,7 @@ public:
     vtkIdType point, const glm::dvec3& origin, Tuples& tuples, double shift, float length, const glm::vec4& turn) const;
 
   /**
-   * Where most of the points are, whatever lies far away: the median of some of them, axis by axis.
+   * Where most of the points are: the median of some of them, axis by axis, so that outliers do not count.
    */
   glm::dvec3 MiddleOf(const std::vector<vtkIdType>& points) const;
 

@@ -183,7 +183,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
   settings.Tensors.On = true;
   settings.Tensors.Cross = true;
   settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
-  // Directions from the center are told by the arrows themselves.
+  // The arrows themselves show directions from the center.
   if (settings.Tensors.Coloring == rtglyphs::GlyphTensors::SURFACE_DIRECTION)
   {
     settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;

@@ -1,5 +1,6 @@
 /**
- * What the builders of instances and bounds share: tuples of arrays as double, and which points have a glyph at all.
+ * Common code of the builders of instances and bounds: tuples of arrays as double, and which points have a glyph at
+ * all.
  */
 #ifndef GlyphTuples_h
 #define GlyphTuples_h
@@ -101,7 +102,7 @@ void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const Ray
   std::vector<std::string>& messages);
 
 /**
- * What the array that was found says of itself, whatever the settings' mode: four components are a quaternion, nine a
+ * What the number of components means, in every mode: four components are a quaternion, nine a
  * matrix.
  */
 int OrientationMode(vtkDataArray* orientations, const GlyphSettings& settings);

@@ -164,7 +164,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
     this->Digest = digest;
     this->InstanceVersion = NewVersion();
   }
-  // Axes go with tensor glyphs, which have told what is wrong with the points.
+  // Axes go with tensor glyphs, which have reported bad points.
   if (!this->Settings.Tensors.Axes)
   {
     this->ReportInstances(std::move(result.Messages), result.Unfinished);

@@ -187,7 +187,7 @@ void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, Ma
   this->SelectColorArray(scalars.Array.c_str());
   this->SetLookupTable(scalars.Table);
   this->SetInterpolateScalarsBeforeMapping(interpolateValues);
-  // Cells of a hyper tree grid have become points on the way.
+  // Cells of a hyper tree grid are points here.
   if (scalars.ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA &&
     !block.Data->GetCellData()->HasArray(scalars.Array.c_str()))
   {

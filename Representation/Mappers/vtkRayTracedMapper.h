@@ -46,7 +46,7 @@ public:
   ///@}
 
   /**
-   * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself.
+   * The result of GetBounds(), before the actor's transform; it computes none itself.
    * Compositing between ranks and selecting leave out what lies outside.
    */
   void SetKnownBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
@@ -58,7 +58,7 @@ public:
   void SetSelectionColor(const std::array<double, 3>& color);
 
   /**
-   * The cut through what is shown, which whoever gives it may change.
+   * The cut; the caller may change it.
    */
   void SetSection(std::shared_ptr<const rtg::Section> section) { this->Section = std::move(section); }
 
@@ -68,7 +68,7 @@ public:
   void SetImages(std::shared_ptr<const rtg::PeriodicImages> images) { this->Images = std::move(images); }
 
   /**
-   * Who is told how far the building of instances is.
+   * Receives the progress of building instances.
    */
   void SetBuildProgress(const rtglyphs::RayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
 
@@ -115,7 +115,7 @@ public:
   ///@{
   /**
    * Warnings that came up since the last call, for the scene to report. The counts of a message change with each time
-   * step and differ between ranks; without them it tells the same.
+   * step and differ between ranks; without them the result is the same.
    */
   std::vector<std::string> TakeMessages() { return std::exchange(this->NewMessages, {}); }
   static std::string WithoutCounts(const std::string& message);
@@ -226,7 +226,7 @@ protected:
   Origin OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const;
 
   /**
-   * What instances are built of is unfinished in that, and `messages` are to be reported of it; with the latter, but
+   * The missing input of instances, and its `messages`; with the latter, but
    * not in a window.
    */
   void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);

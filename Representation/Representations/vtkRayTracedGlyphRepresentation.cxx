@@ -189,7 +189,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-// On all ranks that have data; before anything asks for the glyphs' size.
+// On all ranks that have data; before the first use of the glyphs' size.
 void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
 {
   if (!this->ScaleFactorFromData || this->GetNumberOfInputConnections(0) == 0)
@@ -389,7 +389,7 @@ void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 //****************************************************************************
 
 //----------------------------------------------------------------------------
-// Properties that determine each other are put together here, whatever the order in which they were set.
+// Properties that determine each other are combined here, in any order in which they were set.
 rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   rtglyphs::GlyphSettings settings = this->Glyphs.InRange();

@@ -2,7 +2,7 @@
  * @class   vtkRayTracedGlyphRepresentation
  * @brief   representation that shows the points of any data set as ray-traced glyphs
  *
- * @sa vtkGlyph3DRepresentation, whose meaning of scale and orientation arrays this one shares.
+ * @sa vtkGlyph3DRepresentation, whose scale and orientation arrays have the same meaning here.
  */
 #ifndef vtkRayTracedGlyphRepresentation_h
 #define vtkRayTracedGlyphRepresentation_h
@@ -99,7 +99,7 @@ public:
   ///@{
   /**
    * What GlyphScaleGuess has found, where ScaleFactorFromData is on: factor and limit. Processes that have data use
-   * it by themselves; those that only render are told by SetScaleFactor() and SetGlyphSizeLimit(), the client being
+   * it by themselves; those that only render get it by SetScaleFactor() and SetGlyphSizeLimit(), the client being
    * between them.
    */
   double* GetScaleFactorGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
@@ -158,9 +158,9 @@ public:
   ///@{
   /**
    * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
-   * sharpness of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001,
-   * 1], default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that
-   * numbers of tensors are colored by, and by its ends GlyphTensors::SIGN.
+   * sharpness of superquadrics (in [0, 10], default 3), the least thickness as a fraction of the longest axis (in
+   * [0.001, 1], default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table
+   * that numbers of tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout)

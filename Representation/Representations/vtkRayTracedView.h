@@ -89,7 +89,7 @@ public:
 
   /**
    * Whether this process has a Vulkan device to trace with; `words` tell which, or what is missing and how to get it.
-   * Drivers are asked, no device is made.
+   * Lists the drivers' devices; no device is made.
    */
   static bool FindDevice(std::string& words);
 

@@ -74,8 +74,8 @@ public:
 
   /**
    * Brings instances and colors of all visible displays up to date and, where the settings want it and all ranks render
-   * together, asks these what they have near. Returns whether the frame shows something else than the last one did.
-   * `report` gets what could not be made.
+   * together, receives from these what they have near. Returns whether the frame shows something else than the last one
+   * did. `report` gets what could not be made.
    */
   bool Update(vtkRenderer* renderer, const RayTracedImageSettings& settings, bool collective, RayTracedImages& images,
     const std::function<void(const std::string&)>& report);
@@ -117,7 +117,7 @@ public:
 
 private:
   // Of each shown display the versions of its instances, colors and material, and that of the neighbors: two frames
-  // with the same list look the same.
+  // with the same list draw the same picture.
   using Versions = std::vector<std::array<std::uint64_t, 3>>;
 
   Versions UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
@@ -128,7 +128,7 @@ private:
   std::uint64_t MaterialVersions = 0;
   RayTracedNeighbors Neighbors;
   Versions Shown;         // in the last frame
-  Versions ShownToOthers; // when neighbors were last asked for
+  Versions ShownToOthers; // when neighbors were last exchanged
   std::uint64_t Version = 0;
 };
 

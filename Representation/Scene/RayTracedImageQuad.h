@@ -36,12 +36,13 @@ public:
 
   enum Uses
   {
-    BLEND, // colour, blended by alpha
-    IDS    // exact values in place of colour
+    BLEND, // color, blended by alpha
+    IDS    // exact values in place of color
   };
 
   /**
-   * Sends an image: RGBA8 and window depths, bottom row first. Its version, if not 0, tells whether the quad shows it.
+   * Sends an image: RGBA8 and window depths, bottom row first. Its version, if not 0, identifies the image that the
+   * quad shows.
    */
   bool Shows(std::uint64_t version) const { return this->Sent && version != 0 && version == this->Version; }
   void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, const std::uint32_t* color,

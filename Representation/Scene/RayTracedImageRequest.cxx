@@ -89,7 +89,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   {
     rtglyphs::RayTracedStudioLight::Apply(view, renderer);
   }
-  // Where no light casts a shadow nobody is to ask for any.
+  // Without lights that cast shadows there are no shadow rays.
   view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&
     std::any_of(view.lights.begin(), view.lights.end(),
       [](const rtg::Light& light) { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });

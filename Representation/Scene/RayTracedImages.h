@@ -80,7 +80,7 @@ public:
   Entry& Get(const Place& place);
 
   /**
-   * The image of a pass that shows this view in full resolution, whatever its light; null: there is none.
+   * The image of a pass that shows this view in full resolution, in any shading mode; null: there is none.
    */
   Entry* FindSame(const rtg::ImageView& view);
 

@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkRayTracedScene);
 
 namespace
 {
-// Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
+// Above this, in frames per second, a render is interactive: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
 
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);

@@ -102,7 +102,7 @@ public:
   void SmoothFrame();
 
   /**
-   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
+   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector needs.
    */
   void DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper);
 

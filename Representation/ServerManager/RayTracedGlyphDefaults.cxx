@@ -53,7 +53,7 @@ struct InputArrays : vtkSMInputArrayDomain
 
 const char* const sharedArrays[] = { "SelectOrientationVectors", "SelectScaleArray" };
 
-// Those that the choice of arrays depends on: what turns and scales arrows differs from what turns and scales bodies.
+// The choice of arrays depends on these: arrows and bodies have different arrays for orientation and scale.
 const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
 // Those that ray-traced glyphs have another default of.
@@ -365,7 +365,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
 }
 
 //----------------------------------------------------------------------------
-// In the window bodies, and spheres that nobody has chosen, have the sizes that the data say they have; scripts say so.
+// In the window bodies, and default spheres, take their sizes from the data; scripts set them.
 void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
 {
   auto* list = glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();

@@ -92,7 +92,7 @@ public:
     return this->Set.Parts.size() - 1;
   }
 
-  // A copy at `place` in the glyph's frame, turned about its y axis by half a turn if it looks back.
+  // A copy at `place` in the glyph's frame, rotated about its y axis by 180 degrees if it points back.
   void Add(std::size_t part, std::size_t glyph, const glm::vec3& scale, const glm::vec3& place = glm::vec3(0.0f),
     bool back = false)
   {

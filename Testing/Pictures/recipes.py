@@ -1,4 +1,4 @@
-"""Draws the pictures of Data/RECIPES.md, recipes/*.png: each recipe as its script in Data/recipes has it, in the quality Publication.
+"""Draws the pictures of Data/RECIPES.md, recipes/*.png: each recipe as its script in Data/recipes has it, in the quality Balanced.
 
 Usage: RTGLYPHS_PLUGIN=FILE pvpython recipes.py [NAME...]
 """
@@ -14,7 +14,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "Regression"))
 import session  # noqa: E402
 
-WIDTH, HEIGHT = 480, 360
+WIDTH, HEIGHT = 400, 300
 #: recipe -> direction of view and upward direction; others are seen from above at the front
 FROM = {"many_particles": ((0.0, -1.0, 0.15), (0.0, 0.0, 1.0)), "diffusion_tensors": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
         "openfoam_cells": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))}
@@ -32,7 +32,7 @@ def main():
             os.chdir(work)
             case = runpy.run_path(os.path.join(scripts, name + ".py"))
             shown = case["shown"]
-            shown.RenderingQuality = "Publication"
+            shown.RenderingQuality = "Balanced"
             if shown.LookupTable:
                 shown.SetScalarBarVisibility(view, False)
             position, up = FROM.get(name, ((0.45, -0.8, 0.5), (0.0, 0.0, 1.0)))
