@@ -41,7 +41,7 @@ float Falloff(float x)
   return a128 * a128;
 }
 
-// What is known of a pixel, in one place.
+// All features of a pixel, together.
 struct Guide
 {
   glm::vec3 normal;

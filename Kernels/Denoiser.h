@@ -9,7 +9,7 @@
 namespace rtg
 {
 
-/// What is known of an image's pixels besides their noisy light; Image has it. Rows of width pixels.
+/// Features of an image's pixels besides their noisy light; from Image. Rows of width pixels.
 struct DenoiserGuides
 {
   std::uint32_t width, height;

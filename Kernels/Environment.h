@@ -41,7 +41,7 @@ struct EnvironmentCells
 /// Throws rtg::Error for an image whose sizes do not fit.
 EnvironmentCells MakeEnvironmentCells(const EnvironmentImage& image);
 
-/// What arrives from all around on a surface with that normal (unit), over pi.
+/// Irradiance on a surface with that normal (unit), over pi.
 glm::vec3 MeanRadiance(const EnvironmentImage& image, const glm::vec3& normal);
 
 } // namespace rtg

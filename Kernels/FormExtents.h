@@ -34,7 +34,7 @@ public:
   /// are up to 14 % too large.
   FormExtent MeasureRoughly(const double* coefficients) const;
 
-  /// What the programs take (Shapes/PolynomialForm.glsl): the polynomial divided by `extent.bound`, in floats, and
+  /// Input of the programs (Shapes/PolynomialForm.glsl): the polynomial divided by `extent.bound`, in floats, and
   /// before it the extents of what is left by rounding. 3 + FormTerms(Degree()) values.
   void Store(const double* coefficients, const FormExtent& extent, float* values) const;
 

@@ -176,7 +176,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
   frame.toneMapping = static_cast<std::uint32_t>(settings.toneMapping);
 }
 
-// What local shading does not use does not tell its programs apart.
+// Features that local shading does not use need no program of their own.
 Specialization SpecializationFor(const TraceSettings& settings)
 {
   Specialization specialization;

@@ -28,7 +28,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 
 /// The program for these settings, but for what the scene and the pass say.
 Specialization SpecializationFor(const TraceSettings& settings);
-/// What the scene says.
+/// Values of the scene.
 void FillConstants(Constants& constants, const Scene::State& scene);
 void FillScene(device::FrameRecord& frame, const Scene::State& scene);
 

@@ -74,7 +74,7 @@ glm::vec3 RoundUp(const glm::dvec3& values)
   return -RoundDown(-values);
 }
 
-// What the boxes are of: the glyphs, and of meshes what each is a copy of.
+// Subjects of the boxes: glyphs, and for meshes the mesh.
 struct Subject
 {
   Subject(const GlyphInstances& glyphs, double firstTime, double lastTime)

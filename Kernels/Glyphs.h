@@ -1,4 +1,4 @@
-// What a scene is made of, as plain host data: no Vulkan type and no VTK type in here.
+// Contents of a scene as plain host data, without types of Vulkan or VTK.
 #pragma once
 
 #include "Motion.h"
@@ -104,8 +104,8 @@ struct GlyphInstances
   /// World position that `centres` are relative to; chosen near the data, subtracted in double.
   glm::dvec3 origin{ 0.0 };
   std::vector<glm::vec3> centres;
-  /// What rounding to float left of each center, or empty: for sets that extend so far that a float is not right to
-  /// 1e-6 of a glyph's size.
+  /// Low part of each center, lost by rounding to float, or empty: for sets that extend so far that a float is not
+  /// right to 1e-6 of a glyph's size.
   std::vector<glm::vec3> centresLow;
 
   /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
@@ -135,7 +135,7 @@ struct GlyphInstances
   /// ..., 12). In units of a glyph's size its surface is at the distance |f| / 2 from the center.
   GlyphTuples polynomials;
   int polynomialDegree = 0;
-  /// What colors a point of a glyph's surface, in place of the glyphs' colors; their opacity stays.
+  /// Color rule of a point of a glyph's surface, in place of the glyphs' colors; their opacity stays.
   enum class SurfaceColours : std::uint32_t
   {
     None,

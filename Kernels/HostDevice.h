@@ -126,7 +126,7 @@ struct ProbeResult
   uint glyph;
 };
 
-// What a pixel has gathered, when samples will be added later.
+// A pixel's sums, when samples will be added later.
 struct PixelSums
 {
   vec3 colour;    // of the samples that hit: color times opacity, as a sum of two floats
@@ -180,7 +180,7 @@ const uint FEW_LIGHTS = 8u;
 // lie above -1000.
 const float LEAST_NUMBER = -2e3f, LEAST_VALUE = -1e10f;
 
-// What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
+// Input of a dispatch. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord
 {
@@ -265,7 +265,7 @@ struct FrameRecord
   uint develops; // tone mapping changes colors
   float exposureFactor;
   uint toneMapping; // rtg::ToneMapping
-  // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
+  // Data that all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
   LightRecord fewLights[FEW_LIGHTS];
   GlyphSetRecord onlySet; // last: behind it C++ has padding that the device has not
 };

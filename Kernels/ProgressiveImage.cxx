@@ -66,7 +66,7 @@ ProgressiveImage::~ProgressiveImage()
   this->StopSmoothing();
 }
 
-// What it was for is not shown any more.
+// The image is no longer shown.
 void ProgressiveImage::StopSmoothing()
 {
   if (this->smoothing_.valid())

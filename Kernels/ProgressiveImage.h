@@ -15,7 +15,7 @@
 namespace rtg
 {
 
-/// What an image shows. Images of equal views with the same number of samples are the same.
+/// Everything that determines an image. Images of equal views with the same number of samples are the same.
 struct ImageView
 {
   Camera camera;
@@ -52,7 +52,7 @@ struct ImageEffort
 /// Whether what is shown of such an image has less noise than its samples, which only whole images can be given.
 bool Denoises(const ImageView& view, const ImageEffort& effort);
 
-/// What traces for a ProgressiveImage: a Tracer and its Scene, or a stand-in in tests.
+/// Traces for a ProgressiveImage: a Tracer and its Scene, or a stand-in in tests.
 class ImageSource
 {
 public:
@@ -129,7 +129,7 @@ public:
   double Progress() const;
   /// Grows whenever the pixels of the image change.
   std::uint64_t Version() const { return this->version_; }
-  /// What the image shows, and whether it shows it in full resolution.
+  /// The image's view, and whether it has full resolution.
   const ImageView& View() const { return this->view_; }
   bool IsComplete() const { return this->samples_ > 0; }
   /// The last Update() found that the program it needs is still being compiled.
@@ -180,7 +180,7 @@ private:
   std::stop_source stopOfSmoothing_;
   std::uint32_t smoothingSamples_ = 0;
 
-  // What failed, for MayTryAgain().
+  // The last failure, for MayTryAgain().
   ImageView failedView_;
   std::uint32_t failedSamples_ = 0;
   std::uint64_t failedBytes_ = 0;

@@ -309,7 +309,7 @@ void Scene::Commit(const std::function<void(double)>& progress)
     [&]
     {
       Batch batch(vulkan);
-      // What is in the batch is not on the device before that has run.
+      // The batch's data are on the device after it has run.
       std::vector<GlyphSet*> sent;
       try
       {

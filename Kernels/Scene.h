@@ -12,7 +12,7 @@ namespace rtg
 
 class Device;
 
-/// What was done and what is held; every count only grows. Seconds are wall-clock.
+/// Work done and memory held; every count only grows. Seconds are wall-clock.
 struct Statistics
 {
   std::uint64_t structureBuilds = 0; ///< trees, or bottom-level structures of the driver, built

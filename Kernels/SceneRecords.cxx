@@ -160,7 +160,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
   return instances;
 }
 
-// What the record says of a cut, whose planes are added to those of others.
+// The record's values of a cut, whose planes are added to those of others.
 void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const
 {
   const Section& section = set.material.section;

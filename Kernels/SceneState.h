@@ -29,7 +29,7 @@ struct GlyphRun
   std::vector<AccelerationStructure> structures; ///< of the driver: one for each slice of time
 };
 
-/// What rays find glyphs and triangles by.
+/// The BVH that rays traverse.
 enum class Structure
 {
   Boxes, ///< the driver's, one primitive a glyph or triangle, by ray queries; on GPUs with hardware for it
@@ -79,7 +79,7 @@ bool IsMovingMesh(const GlyphInstances& instances);
 /// Whether triangles bound a body: each edge, by the places of its ends, is one of an even number of triangles.
 bool IsClosed(const TriangleMesh& mesh);
 
-/// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
+/// A glyph set's arrays on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
 /// complete, so that a set has all of it or nothing.
 struct PlacedGlyphs
 {
@@ -167,7 +167,7 @@ struct Scene::State
   std::shared_ptr<Device> device;
   std::map<SetId, GlyphSet> sets;
   SetId nextId = 0;
-  /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
+  /// Most AABBs of a bottom-level structure; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
   /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.

@@ -162,7 +162,7 @@ Specialization Tracer::State::SpecializationOf(
   return specialization;
 }
 
-// What is to be launched for an image; nothing is launched yet.
+// Prepares the launches of an image; nothing is launched yet.
 void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
 {

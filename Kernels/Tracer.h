@@ -121,7 +121,7 @@ struct TraceSettings
   bool operator==(const TraceSettings&) const = default;
 };
 
-/// What images of a shading have in common: Shading/List.h.
+/// Traits of a shading mode: Shading/List.h.
 struct ShadingTraits
 {
   bool scatters, linear, layers, environmentImage;

@@ -1,4 +1,4 @@
-// What programs are specialized for: one text for C++ and GLSL. HostDevice.h includes it.
+// Specialization constants of programs: one text for C++ and GLSL. HostDevice.h includes it.
 //
 // Sets differ in the arrays that they have and in what their glyphs are. Each difference is a bit, a "variant". A
 // program is specialized for those that all of its sets have and those that some have: what none has is not in the
@@ -66,7 +66,7 @@
 RTG_GLYPH_ARRAYS(RTG_BIT)
 #undef RTG_BIT
 
-// What else sets differ in.
+// Other features of sets.
 const uint FIXED_HEADS = 1u << 16;     // of arrows
 const uint ORDER_OF_SLICES = 1u << 17; // slices of time are sorted each for itself
 const uint DROPS_HIDDEN = 1u << 18;    // most of what a ray might meet lies behind its hit

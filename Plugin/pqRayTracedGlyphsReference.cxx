@@ -50,7 +50,7 @@ QString Shapes(vtkSMProxy* display)
   return table + "</table>";
 }
 
-// What the XML says of a group of this plugin; null: it is of ParaView.
+// The XML hint of a group of this plugin; null: the group is ParaView's.
 vtkPVXMLElement* HintOf(vtkSMPropertyGroup* group)
 {
   vtkPVXMLElement* hints = group->GetHints();

@@ -47,7 +47,7 @@ bool IsEscape(QEvent* event)
     static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
 }
 
-// What a user does, and what may render.
+// Events of the user, and renders.
 bool MayInterfere(QEvent* event)
 {
   switch (event->type())

@@ -1,4 +1,4 @@
-// What every program sees: the frame, and what it is specialized for.
+// Input of every program: the frame, and specialization constants.
 #extension GL_EXT_spirv_intrinsics : require
 #extension GL_EXT_control_flow_attributes : require
 // Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on
@@ -48,7 +48,7 @@ vec4 ColourOf(const GlyphSetRecord set, const uint glyph)
   return unpackUnorm4x8(set.colours.at[InSetIfHit(set, COLOURS, glyph)]);
 }
 
-// What all of a glyph's surface has; its colors may lessen it.
+// Opacity of all of a glyph's surface; the alpha of colors multiplies it.
 float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
 {
   return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;

@@ -1,4 +1,4 @@
-// What becomes of a glyph that a ray may meet, whether own trees (walk.glsl) or the driver's structure (query.glsl)
+// Handles a candidate, a glyph that a ray may meet, whether the plugin's BVH (walk.glsl) or the driver's (query.glsl)
 // have found it; after bindings.glsl and glyph.glsl.
 #ifndef RTG_CANDIDATES
 #define RTG_CANDIDATES

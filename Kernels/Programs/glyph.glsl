@@ -86,7 +86,7 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
   return glyph;
 }
 
-// What Estimate.glsl says for certain.
+// Results of Estimate.glsl.
 int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   out float low, out float high)
 {

@@ -54,7 +54,7 @@ void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, con
     {
       displacement += set.velocities.at[InSet(set, VELOCITIES, primitive)];
     }
-    // What rounding the new center would lose stays in the low part.
+    // The low part keeps the rounding of the new center.
     DoubleWord3 centre = TwoSum(glyph.centre, displacement * time);
     glyph.centre = centre.hi;
     glyph.centreLow += centre.lo;

@@ -153,7 +153,7 @@ DirectLight NoLight()
   return DirectLight(vec3(0.0), vec3(0.0), 0.0, 0u);
 }
 
-// What the surface at `origin` reflects of one of the view's lights, as if it were all of them; `x`, `y` and `normal`:
+// Reflected light at `origin` from one of the view's lights, as if it were all of them; `x`, `y` and `normal`:
 // its frame, in which `from` points back along the path.
 DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surface surface, const vec3 x, const vec3 y,
   const vec3 normal, const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
@@ -213,7 +213,7 @@ void main()
     return;
   }
   Pixel pixel = BeginPixel(position);
-  // What is opaque hides translucent surfaces behind it, also where only those are shown.
+  // Opaque surfaces hide translucent ones behind them, also where only those are shown.
   const uint cameraMask = translucency ? frame.cullMask | OPAQUE_MASK : frame.cullMask;
 
   SampleNumber number;

@@ -54,7 +54,7 @@ void OpenShutter(const SampleNumber number)
   }
 }
 
-// What a pixel has gathered.
+// A pixel's sums.
 struct Pixel
 {
   // Sums over samples of color times opacity, and of opacity. Single floats would be off by a hundredth after a

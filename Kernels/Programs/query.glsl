@@ -22,7 +22,7 @@ GlyphCrossing MeetTriangle(
   return GlyphCrossing(record, number, triangle, clamp(t, tMin, tMax), vec3(0.0));
 }
 
-// What WalkSets() in walk.glsl finds.
+// The same hits as WalkSets() in walk.glsl.
 GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
   const bool any, const bool gathers)
 {

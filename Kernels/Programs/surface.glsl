@@ -1,4 +1,4 @@
-// What a surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
+// The surface at a hit; after bindings.glsl and glyph.glsl.
 
 // Whether the color of a glyph leaves that of its surface to other rules: none and white do.
 bool LeavesColours(const GlyphSetRecord set, const vec4 colour)

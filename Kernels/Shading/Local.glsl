@@ -9,7 +9,7 @@ vec3 AmbientOf(const SurfaceHit hit)
   return set.ambient * (hit.coloured ? hit.colour.rgb : set.ambientColour);
 }
 
-// What the view's lights bring to a surface.
+// Light of the view's lights on a surface.
 struct LocalLight
 {
   vec3 diffuse;

@@ -2,7 +2,7 @@
 // layers from above: a coat, then metal or a dielectric's reflection, then diffuse. Sheen, subsurface and anisotropy
 // are left out.
 //
-// What is different from the paper: no layer loses or makes energy, so that a white surface in white light is
+// Different from the paper: no layer loses or makes energy, so that a white surface in white light is
 // invisible.
 // - Light that facets reflect onto each other goes to the layer below, and leaves metal as a diffuse lobe.
 // - What a layer reflects is missing below it.
@@ -201,7 +201,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
   return weight * surface.base * (DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
 }
 
-// What arrives from `to`, a given direction, per unit of irradiance across it: the density times the cosine.
+// Reflected radiance from `to`, a given direction, per unit of irradiance across it: the density times the cosine.
 RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers u)
 {
   vec3 sum = vec3(0.0f);

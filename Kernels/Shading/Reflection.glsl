@@ -1,4 +1,4 @@
-// What surfaces of ambient occlusion and path tracing give off and reflect, and the sky that lights them, as light.
+// Emission, reflection and sky of ambient occlusion and path tracing, as linear light.
 #ifndef RTG_REFLECTION
 #define RTG_REFLECTION
 
@@ -22,7 +22,7 @@ vec3 EmissionOfHit(const SurfaceHit hit)
   return emission;
 }
 
-// What remains, as a fraction, of the reflection of a surface of that albedo: no material is as white as paper on a
+// Factor of the reflection of a surface of that albedo: no material is as white as paper on a
 // screen, and light between surfaces that were would never end. Colors that stand for values stay.
 float AlbedoScale(const SurfaceHit hit, const vec3 albedo)
 {

@@ -1,4 +1,4 @@
-// What plain arithmetic says for certain about a ray and a glyph. Traversals ask it first: most candidates end here,
+// Hits and misses that plain float proves. Traversals call it first: most candidates end here,
 // and of the others most need no exact t before the nearest is known.
 #ifndef RTG_ESTIMATE
 #define RTG_ESTIMATE

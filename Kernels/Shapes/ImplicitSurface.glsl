@@ -1,4 +1,4 @@
-// What rays and implicit surfaces of any family have in common: f is positive outside, its zeros along a ray are the
+// Common code of implicit surfaces: f is positive outside, its zeros along a ray are the
 // crossings. A family gives a field, which is f along one ray (RTG_FIELD, made from a Chord), with the `accuracy` that
 // is wanted of the ray's parameter and the width of the windows in which it counts as convex (`bowl`), and says of it
 //
@@ -198,7 +198,7 @@ struct ImplicitPoint
   real3 gradient; // in absolute coordinates
 };
 
-// What is found: the ray with its origin at the crossing, t, and where it is wanted the gradient, in absolute
+// A crossing: the ray with its origin at the crossing, t, and where it is wanted the gradient, in absolute
 // coordinates.
 struct SurfaceCrossing
 {

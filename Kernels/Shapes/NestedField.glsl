@@ -128,7 +128,7 @@ RTG_FN real PlainProfile(const real z, const real logZ, const real q, RTG_OUT(re
   return log2(rest) / q;
 }
 
-// What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
+// Rounding of log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
 // z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
 RTG_FN real ProfileDoubt(const real fall, const real z, const real q, const real rounding, const bool outside)
 {

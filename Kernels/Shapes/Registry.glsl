@@ -45,7 +45,7 @@ RTG_FN bool IntersectGlyph(
   return IntersectGlyph(shape, ray, glyph, tMin, tMax, false, t, normal);
 }
 
-// What the glyph lies in.
+// A ball and a box round the glyph.
 RTG_FN Enclosure GlyphEnclosure(const RTG_SHAPE shape, const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);

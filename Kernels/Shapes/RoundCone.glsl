@@ -249,7 +249,7 @@ RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const Round
     innerIn = IsInner(form, glyph, PointAt(local, span.sIn), span.faceIn);
     innerOut = IsInner(form, glyph, PointAt(local, span.sOut), span.faceOut);
   }
-  // What is left of the two crossings.
+  // The remaining ones of the two crossings.
   Span kept = span;
   if (innerIn)
   {

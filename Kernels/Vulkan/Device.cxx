@@ -54,7 +54,7 @@ bool HasRayQueries(const vk::raii::PhysicalDevice& physical)
     features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery;
 }
 
-// What the device lacks to trace, in words; empty: nothing.
+// Features that the device lacks to trace, in words; empty: none.
 std::string Lacks(const vk::raii::PhysicalDevice& physical)
 {
   if (physical.getProperties().apiVersion < VK_API_VERSION_1_2)
@@ -224,7 +224,7 @@ vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
   return vk::raii::Device(physical, info);
 }
 
-// What the driver says of itself names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
+// The driver's description names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
 bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
 {
   constexpr int firstVersion = 21;

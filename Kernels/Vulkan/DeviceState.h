@@ -95,7 +95,7 @@ struct Device::State
   }
 
 private:
-  // What the commands of one submission need, made once: drivers ask the system for memory to make it.
+  // Objects of one submission, made once: drivers ask the system for memory to make it.
   struct Submission
   {
     vk::raii::CommandPool pool{ nullptr };

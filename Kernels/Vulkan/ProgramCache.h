@@ -1,4 +1,4 @@
-// What the driver has compiled, kept on disk from process to process.
+// The driver's compiled programs, kept on disk from process to process.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ public:
   /// `name`: without a folder; differs by device, driver and version of this library. Without a folder: no cache.
   CacheFile(const std::optional<std::filesystem::path>& folder, const std::string& name);
 
-  /// What was saved last, by any process; empty: nothing, or something else than that.
+  /// The data saved last, by any process; empty: none, or not readable.
   std::vector<std::uint8_t> Load() const;
 
   /// Replaces what is there, atomically for processes that load it. More than `mostBytes` are not saved. The oldest

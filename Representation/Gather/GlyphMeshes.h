@@ -36,7 +36,7 @@ public:
   void Gather(vtkDataObject* data, bool blocksAreForms);
 
   /**
-   * What was gathered, for the view. In a composite, because data of several ranks that are put together do not stay
+   * The gathered meshes, for the view. In a composite, because data of several ranks that are put together do not stay
    * apart otherwise.
    */
   vtkDataObject* GetPiece() const;

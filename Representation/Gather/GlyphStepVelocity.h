@@ -50,7 +50,7 @@ public:
   void AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source);
 
   /**
-   * What is to be said of the last step, with a remedy; empty the second time that the same comes since Reset().
+   * A message on the last step, with a remedy; empty the second time that the same comes since Reset().
    */
   std::string TakeMessage();
 

@@ -12,7 +12,7 @@ namespace
 using namespace rtglyphs::GlyphArrayRoles;
 using Words = std::vector<std::string>;
 
-// What a name says. An array whose name has several of the words is what comes first.
+// Meanings of a name. The first word that a name has counts.
 struct Meaning
 {
   Words Names;                             // words that begin so where they end with *; " word": the only word

@@ -66,7 +66,7 @@ std::vector<Array> Join(const std::vector<Array>& numbers);
 bool IsSize(const std::string& name);
 
 /**
- * What a size of that name has to be multiplied by to be a diameter: 2 a radius, 1 a diameter. 0: the name is not that
+ * Factor from a size of that name to a diameter: 2 for a radius, 1 for a diameter. 0: the name is not that
  * of an exact size.
  */
 double DiametersOf(const std::string& name);

@@ -104,7 +104,7 @@ private:
     this->FirstSizes.assign(rtglyphs::RayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
   }
 
-  // What becomes of the point; when it is shown, the glyph of this number is its.
+  // The point's outcome; if it is SHOWN, instance `number` is its glyph.
   Outcome Add(vtkIdType number, vtkIdType point, rtglyphs::GlyphMaker::Tuples& tuples)
   {
     rtglyphs::GlyphMaker::Glyph glyph;
@@ -212,7 +212,7 @@ private:
     }
   }
 
-  // What rounding has left of the centers, when for some glyph it is more than 1e-6 of its size.
+  // Low parts of the centers, when for some glyph they exceed 1e-6 of its size.
   void StoreLowParts()
   {
     if (!this->NeedsLowParts)

@@ -5,7 +5,7 @@
  * Which glyph a point has GlyphMaker says. Positions are made relative to the middle of the data in double
  * precision.
  *
- * What cannot be shown (an exponent that is not positive; position, scale or orientation not finite) makes no glyph; it
+ * Bad input (an exponent that is not positive; position, scale or orientation not finite) makes no glyph; it
  * is counted and put into words in Result::Messages. Zeros are ordinary: scales and tensors of zero, and directions of
  * zero for arrows and cones, make no glyph either, but are put into words only where no glyph is left.
  */

@@ -51,7 +51,7 @@ public:
     std::vector<std::string>& messages);
 
   /**
-   * What one thread reads.
+   * Values of one thread.
    */
   class Tuples
   {
@@ -109,8 +109,8 @@ public:
 
   ///@{
   /**
-   * What glyphs differ in, so that it must be kept of each: sizes, those along their axes, turns. What looks the same
-   * from all sides is not turned.
+   * Values that differ between glyphs, so each has its own: sizes, those along axes, rotations. Glyphs that look the
+   * same from all sides are not rotated.
    */
   bool HasSameSizes() const { return this->SameSizes; }
   bool HasOneSize() const { return this->OneSize; }

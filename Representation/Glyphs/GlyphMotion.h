@@ -70,7 +70,7 @@ public:
   const std::vector<std::string>& Messages() const { return this->Messages_; }
 
   /**
-   * What must be chosen before anything moves; empty: nothing.
+   * Missing input of motion; empty: none.
    */
   static std::string Unfinished(const Settings& settings);
 

@@ -29,7 +29,7 @@
 namespace rtglyphs::GlyphScaleGuess
 {
 /**
- * What suits the points: as Value the factor, as Limit GlyphSizing::Most. All ranks call it at once, and all get the
+ * A size for the points: as Value the factor, as Limit GlyphSizing::Most. All ranks call it at once, and all get the
  * same. `unitSize` is the length of the unit glyph.
  */
 const GlyphKeptGuess::Result&

@@ -23,7 +23,7 @@ namespace rtglyphs
 {
 
 /**
- * What the magnitudes of glyphs depend on (GlyphMagnitudes). An enumeration's type has its range.
+ * Settings of the magnitudes of glyphs (GlyphMagnitudes). An enumeration's type has its range.
  */
 struct GlyphScaling
 {
@@ -131,7 +131,7 @@ struct GlyphSettings : GlyphScaling
   bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
 
   /**
-   * What colors the points of each glyph's surface: nothing, the sign of the tensor or polynomial in their direction,
+   * Color rule for points of each glyph's surface: none, the sign of the tensor or polynomial in their direction,
    * or that direction.
    */
   rtg::GlyphInstances::SurfaceColours SurfaceColors() const;

@@ -17,8 +17,8 @@
 namespace rtglyphs::GlyphShutterGuess
 {
 /**
- * What suits glyphs of the points; all ranks call it at once, and all get the same. `unitSize` is the length of the
- * unit glyph. 0: nothing moves yet.
+ * A shutter time for glyphs of the points; all ranks call it at once, and all get the same. `unitSize` is the length of
+ * the unit glyph. 0: nothing moves yet.
  */
 double Update(GlyphKeptGuess& kept, vtkPolyData* points, const GlyphSettings& settings, double unitSize, double time);
 }

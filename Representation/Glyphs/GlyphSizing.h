@@ -32,7 +32,7 @@ struct GlyphSizing
   bool operator==(const GlyphSizing&) const = default;
 
   /**
-   * What a magnitude scales a glyph by. 0 stays 0, so that it makes no glyph; NaN stays NaN.
+   * Scale of a glyph by its magnitude. 0 stays 0, so that it makes no glyph; NaN stays NaN.
    */
   double operator()(double magnitude) const
   {

@@ -84,7 +84,7 @@ public:
   }
 
   /**
-   * What says how large the glyphs are.
+   * Settings of the glyphs' size.
    */
   struct Source
   {
@@ -138,7 +138,7 @@ public:
   GlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
 
   /**
-   * What the longest extent of a unit glyph is multiplied with: the largest magnitude of an eigenvalue, of axes the
+   * Factor of the longest extent of a unit glyph: the largest magnitude of an eigenvalue, of axes the
    * axis's length. Zero where it is not finite.
    */
   double Extent(vtkIdType point) const;

@@ -102,7 +102,7 @@ void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const Ray
   std::vector<std::string>& messages);
 
 /**
- * What the number of components means, in every mode: four components are a quaternion, nine a
+ * Meaning of the number of components, in every mode: four components are a quaternion, nine a
  * matrix.
  */
 int OrientationMode(vtkDataArray* orientations, const GlyphSettings& settings);
@@ -114,7 +114,7 @@ int OrientationMode(vtkDataArray* orientations, const GlyphSettings& settings);
 std::vector<vtkDataArray*> All(vtkPolyData* points, const GlyphSettings& settings);
 
 /**
- * What glyphs of all these settings at the same points depend on. Arrays are known by their time stamps, of which no
+ * Dependencies of glyphs of all these settings at the same points. Arrays are known by their time stamps, of which no
  * two are alike: data that come again in a new vtkPolyData are seen to be the same.
  */
 struct Key

@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * What glyphs or surfaces are made of: blocks, and their points one after the other. It is no input of the mapper:
+   * Data of glyphs or surfaces: blocks, and their points one after the other. Not an input of the mapper:
    * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
   void SetBlocks(const rtglyphs::RayTracedBlocks& blocks);
@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * What users must choose before there is something to show, or it moves; empty: nothing. Who makes the choices in a
+   * Missing input that the user must choose; empty: none. Who makes the choices in a
    * window, one after the other, is not warned of it.
    */
   const std::string& GetUnfinished() const { return this->Unfinished; }
@@ -122,7 +122,7 @@ public:
   ///@}
 
   /**
-   * What picking says of a place on a glyph or triangle.
+   * Pick result of a position on a glyph or triangle.
    */
   struct Origin
   {
@@ -137,7 +137,7 @@ public:
   virtual Origin OriginOf(vtkIdType glyph, int association, const double position[3]) = 0;
 
   /**
-   * What a glyph or triangle stands for first of all: a point or a cell.
+   * Whether a glyph or triangle primarily stands for a point or a cell.
    */
   virtual int GetNaturalAssociation() const = 0;
 
@@ -255,7 +255,7 @@ protected:
   std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes, NewMessages;
 
 private:
-  // What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike:
+  // Dependencies of instances besides the settings. Arrays are known by their time stamps, of which no two are alike:
   // data that come again in a new vtkPolyData are seen to be the same.
   struct InstanceKey
   {

@@ -521,7 +521,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
 {
-  // What is no number makes no glyph, as zero does.
+  // NaN makes no glyph, as zero does.
   this->Glyphs.Exponents[0] = rtglyphs::RayTracedNumbers::NumberOr(r, 0.0);
   this->Glyphs.Exponents[1] = rtglyphs::RayTracedNumbers::NumberOr(s, 0.0);
   this->Glyphs.Exponents[2] = rtglyphs::RayTracedNumbers::NumberOr(t, 0.0);

@@ -55,7 +55,7 @@ public:
   void SetGlyphShape(int shape);
 
   /**
-   * What carries a glyph: each point of the input, or each cell at its center.
+   * Location of the glyphs: each point of the input, or each cell's center.
    */
   enum Locations
   {
@@ -98,7 +98,7 @@ public:
 
   ///@{
   /**
-   * What GlyphScaleGuess has found, where ScaleFactorFromData is on: factor and limit. Processes that have data use
+   * The result of GlyphScaleGuess, where ScaleFactorFromData is on: factor and limit. Processes that have data use
    * it by themselves; those that only render get it by SetScaleFactor() and SetGlyphSizeLimit(), the client being
    * between them.
    */
@@ -108,7 +108,7 @@ public:
 
   ///@{
   /**
-   * What processes that only render must know of the data: GlyphHighScale, and width and height of the mesh of mesh
+   * Values of the data for processes that only render: GlyphHighScale, and width and height of the mesh of mesh
    * glyphs; numbers are 0 where there is none. The client carries them there.
    */
   double* GetGlyphDataSizesInfo() VTK_SIZEHINT(4) { return this->DataSizes.data(); }

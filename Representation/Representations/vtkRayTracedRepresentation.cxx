@@ -130,7 +130,7 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObj
 }
 
 //----------------------------------------------------------------------------
-// What processes without data have in their place: of the type of what is received.
+// Placeholder on processes without data: of the type that is received.
 int vtkRayTracedRepresentation::EmptyType() const
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

@@ -72,7 +72,7 @@ public:
   void StopRefinement();
 
   /**
-   * What was done, and how far the view's last frame is; see RayTracedFrameStatus.
+   * Statistics and progress of the view's last frame; see RayTracedFrameStatus.
    */
   const char* GetRenderStatistics();
 

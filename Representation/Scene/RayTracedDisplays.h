@@ -26,7 +26,7 @@ class RayTracedImages;
 struct RayTracedImageSettings;
 
 /**
- * What a representation does with its data before they are rendered: how often, and the seconds of that.
+ * A representation's work on its data before rendering: how often, and its seconds.
  */
 struct RayTracedDataStatistics
 {
@@ -49,7 +49,7 @@ public:
     bool Translucent = false; // and then in the translucent pass
     RayTracedDataStatistics Data;
 
-    // What the kernels have.
+    // In the kernels.
     std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
     std::uint64_t SentInstances = 0, SentColors = 0, SentMaterial = 0;
     std::uint64_t MaterialVersion = 0;
@@ -109,8 +109,8 @@ public:
   void Commit(rtg::Scene& scene, std::uint64_t sceneNumber, vtkRenderer* renderer);
 
   /**
-   * What is shown. Instances that the kernels have been handed are theirs; where they have been given back they are
-   * built again, into `built`.
+   * The scene's representations. Instances that the kernels have been handed are theirs; where they have been given
+   * back they are built again, into `built`.
    */
   std::vector<RayTracedNeighbors::Shown>
   GetShown(RayTracedImages& images, std::vector<rtg::GlyphInstances>& built) const;

@@ -11,7 +11,7 @@
 
 namespace
 {
-// What a rank shows in a pixel.
+// A rank's color and depth in a pixel.
 struct Fragment
 {
   std::uint32_t Pixel, Color;
@@ -19,7 +19,7 @@ struct Fragment
   std::uint32_t Rank;
 };
 
-// What lies behind what it shows there.
+// The color behind it.
 struct Behind
 {
   std::uint32_t Pixel, Color;

@@ -1,5 +1,5 @@
 /**
- * What other ranks show behind the smooth edges of this one.
+ * Colors of other ranks behind the anti-aliased edges of this one.
  *
  * Of two ranks' pixels compositing by depth keeps the nearer one. Where that is covered only in part, what lies behind
  * is seen through the rest, and may be another rank's. Before they draw, ranks send each other what they show in such

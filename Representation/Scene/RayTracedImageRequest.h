@@ -23,7 +23,7 @@ rtg::ImageView ViewOf(const RayTracedImageSettings& settings, vtkRenderer* rende
   RayTracedRendererState::Environment& environment);
 
 /**
- * What is done to the pixels of an image of that view, which may have fewer than were requested.
+ * Screen effects for an image of that view, which may have fewer than were requested.
  */
 rtg::ScreenEffects
 EffectsOf(const RayTracedImageSettings& settings, const rtg::ImageView& view, const rtg::Image& image);

@@ -85,7 +85,7 @@ public:
   Entry* FindSame(const rtg::ImageView& view);
 
   /**
-   * What the last frame at this place, of any pass, has drawn, by pass; null: nothing.
+   * Images that the last frame at this place drew, by pass; null: none.
    */
   std::array<Entry*, Passes> GetLast(Place place);
 

@@ -23,7 +23,7 @@ class RayTracedNeighbors
 {
 public:
   /**
-   * What this rank shows of a display. Displays have the same numbers on all ranks.
+   * This rank's part of a display. Displays have the same numbers on all ranks.
    */
   struct Shown
   {
@@ -72,7 +72,7 @@ private:
   std::vector<Set> Sets;
   std::uint64_t Version = 0, Glyphs = 0, Bytes = 0;
   double Reach = -1.0; // of the last exchange; negative: there was none
-  // What of it the kernels have.
+  // Its part in the kernels.
   std::uint64_t SentVersion = 0, SentScene = 0;
   std::vector<rtg::Scene::SetId> Sent;
   std::vector<rtg::Material> SentMaterials;

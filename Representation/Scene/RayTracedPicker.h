@@ -1,5 +1,5 @@
 /**
- * What the camera sees in a pixel: numbers for a renderer's hardware selector, and places. An image on the screen has
+ * The glyph in a pixel: numbers for a renderer's hardware selector, and places. An image on the screen has
  * that; without one, one ray a pixel finds it.
  */
 #ifndef RayTracedPicker_h

@@ -53,7 +53,7 @@ struct Environment
 Environment EnvironmentOf(vtkRenderer* renderer, const Environment& last);
 
 /**
- * What the property says; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.
+ * The property's material; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.
  */
 rtg::Material MaterialOf(vtkProperty* property, vtkRenderer* renderer);
 }

@@ -329,8 +329,8 @@ void vtkRayTracedScene::CheckImage(const rtg::ProgressiveImage& image, bool fail
 }
 
 //----------------------------------------------------------------------------
-// What other ranks show behind the smooth edges of this one. Before anything is drawn, because compositing makes only
-// those ranks draw that have something within the view.
+// Colors of other ranks behind the anti-aliased edges of this one. Before anything is drawn, because compositing makes
+// only those ranks draw that have something within the view.
 void vtkRayTracedScene::ExchangeEdges()
 {
   Internals& self = *this->Self;

@@ -72,7 +72,7 @@ public:
   ///@}
 
   /**
-   * What the next frames are for. `capture`: pictures that ParaView takes without showing them, and only once: each has
+   * Purpose of the next frames. `capture`: pictures that ParaView takes without showing them, and only once: each has
    * all samples. `collective`: all ranks render them together. `ordered`: what they draw is blended in the order in
    * which their data lie, and not put together by depth.
    */
@@ -113,7 +113,7 @@ public:
   bool PlaceAt(int x, int y, double place[3]);
 
   /**
-   * What the last frame showed, for exporters that write it.
+   * The representations of the last frame, for exporters.
    */
   struct Shown
   {

@@ -67,7 +67,7 @@ int TensorColoring(vtkSMProxy* glyphs, int shape)
                                 : rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
 }
 
-// What the glyphs follow, else the size, else what speaks most for being shown at all.
+// The glyphs' direction, else the size, else the array with the best score.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);

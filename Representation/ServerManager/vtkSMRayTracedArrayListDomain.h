@@ -36,7 +36,7 @@ public:
   using Choice = rtglyphs::GlyphArrayRoles::Choice;
 
   /**
-   * What is known of the listed arrays.
+   * Information on the listed arrays.
    */
   std::vector<Array> Listed();
 

@@ -42,7 +42,7 @@ vtkSMProxy* SettingsOf(vtkSMProxy* display)
   return display->GetProperty("ShadingMode")->GetParent();
 }
 
-// What a display shows, when it is ray traced.
+// A display's ray-traced representation.
 vtkRayTracedRepresentation* ShownBy(vtkSMProxy* display)
 {
   auto* all = vtkCompositeRepresentation::SafeDownCast(display->GetClientSideObject());

@@ -13,7 +13,7 @@
 
 namespace
 {
-// What the screen shows, as the amount of light that exporters' formats mean (IEC 61966-2-1).
+// Linear light of a display color, as the formats have it (IEC 61966-2-1).
 float Linear(float shown)
 {
   return shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
@@ -43,7 +43,7 @@ glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
   return !all.sizes3.empty() ? all.sizes3[glyph] : glm::vec3(all.sizes1.empty() ? all.uniformSize : all.sizes1[glyph]);
 }
 
-// What the screen shows: red, green, blue and opacity.
+// Display color: red, green, blue and opacity.
 glm::vec4 Unpacked(std::uint32_t packed)
 {
   return glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
@@ -114,7 +114,7 @@ public:
         values.emplace_back((of.empty() ? glm::dvec3(0.0) : glm::dvec3(of[glyph])) + more);
       }
     };
-    // What lies beside the glyph's center goes round it.
+    // Parts beside the glyph's center rotate around it.
     const glm::dvec3 around = glm::cross(spin, shift);
     fill(to.Velocities, motion.velocities, around);
     fill(to.Accelerations, motion.accelerations, glm::cross(spin, around));
