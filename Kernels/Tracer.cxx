@@ -342,7 +342,7 @@ DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
   task.means_ = this->Means();
   if (image.normals.size() != task.means_.size())
   {
-    throw Error("Ray Traced Glyphs: an image is to be denoised that was traced without features.");
+    throw Error("Ray Traced Glyphs: denoising needs an image that was traced with features.");
   }
   task.image_ = image;
   task.settings_ = this->state_->job.settings;

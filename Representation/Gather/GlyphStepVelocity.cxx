@@ -277,13 +277,13 @@ std::string rtglyphs::GlyphStepVelocity::Describe() const
   switch (this->Outcome)
   {
     case NO_IDS:
-      return "VelocityFromPreviousStep needs to know which point is which, and the points have "
+      return "VelocityFromPreviousStep must identify points, and the points have "
              "neither global ids nor the "
              "array that PointIdArray names, of one component; so the glyphs stand still. Choose a "
              "PointIdArray; where "
              "points never change their order, the filter Point And Cell Ids makes one.";
     case NO_TIME:
-      return "VelocityFromPreviousStep needs the time of the data, and they say none; so the "
+      return "VelocityFromPreviousStep needs the time of the data, which they lack; so the "
              "glyphs stand still. Open "
              "them as a time series, or choose a VelocityArray.";
     case WITHOUT_PARTNER:
@@ -293,7 +293,7 @@ std::string rtglyphs::GlyphStepVelocity::Describe() const
            << " points stand still, because VelocityFromPreviousStep finds no single point of the "
               "same id in the step "
               "shown before, at time "
-           << this->Before.Time << ". Of later steps nothing is said.";
+           << this->Before.Time << ". Later steps give no such message.";
       return text.str();
     }
     default:

@@ -263,7 +263,7 @@ Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& ar
   if (best)
   {
     best.Why = most.Why ? most.Why : "its number of components";
-    best.Why += alike > 1 ? ", as the first of " + std::to_string(alike) + " arrays that are alike in this" : "";
+    best.Why += alike > 1 ? ", as the first of " + std::to_string(alike) + " equal candidates" : "";
   }
   return best;
 }

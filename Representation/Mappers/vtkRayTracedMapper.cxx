@@ -352,9 +352,8 @@ void vtkRayTracedMapper::ReportSizes()
   if (size > most || (size > 0.0 && size < least))
   {
     std::ostringstream message;
-    message << "The largest size is " << size << ", of which little or nothing can be shown: sizes may be from "
-            << least << " to " << most
-            << ". Change the unit of the data, for example with the scale of a Transform filter.";
+    message << "The largest size is " << size << ", too large or too small to be shown: sizes may be from " << least
+            << " to " << most << ". Change the unit of the data, for example with the scale of a Transform filter.";
     messages.push_back(message.str());
   }
   this->Report(messages, this->ReportedSizes);

@@ -359,7 +359,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       if (!assembly.AddSuperquadrics())
       {
         messages.push_back("Superquadrics of more than " + std::to_string(MostMeshes) +
-          " different forms are left out of the exported file, which has a mesh for each form. Show fewer of them with "
+          " different shapes are left out of the exported file, which has a mesh for each. Show fewer of them with "
           "GlyphMode, or round their exponents or tensors.");
       }
       break;
