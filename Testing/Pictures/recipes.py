@@ -38,7 +38,7 @@ def main():
             position, up = FROM.get(name, ((0.45, -0.8, 0.5), (0.0, 0.0, 1.0)))
             view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = (0.0, 0.0, 0.0), position, up
             pv.ResetCamera(view)
-            view.CameraViewAngle = 26.0
+            view.CameraViewAngle = 27.0
             pv.SaveScreenshot(os.path.join(folder, name + ".png"), view, ImageResolution=[WIDTH, HEIGHT])
         pv.Delete(view)
         for source in list(pv.GetSources().values()):
