@@ -23,7 +23,7 @@ struct Camera
   double depthA = 0.0;
   double depthB = 0.0;
   bool parallel = false;
-  /// Where specular highlights are seen from: the eye. In parallel projection the matrix does not say; VTK then takes
+  /// The eye, for specular highlights. In parallel projection the matrix does not say; VTK then takes
   /// the camera's position, so set it after FromWorldToClip (which puts it on the view axis at depth 0).
   glm::dvec3 position{ 0, 0, 1 };
 

@@ -108,7 +108,7 @@ struct GlyphInstances
   /// right to 1e-6 of a glyph's size.
   std::vector<glm::vec3> centresLow;
 
-  /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
+  /// World size of a unit glyph: full extents along its axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
   /// Every size is finite and > 0 (of the two diameters of a Shape::RoundCone one may be 0), or < 0 to mirror a
   /// Shape::Mesh; the caller leaves out degenerate glyphs.
@@ -224,7 +224,7 @@ struct PeriodicImages
 {
   std::array<glm::dvec3, 3> edges{}; ///< of the box, world units
   glm::ivec3 shown{ 0 };             ///< images on either side along each edge, >= 0
-  glm::ivec3 lit{ 0 };               ///< likewise those that shade others, seen or not; at least as many
+  glm::ivec3 lit{ 0 };               ///< likewise those that shade others, visible or not; at least as many
 
   bool Any() const { return this->lit != glm::ivec3(0); }
   bool operator==(const PeriodicImages&) const = default;

@@ -206,7 +206,7 @@ struct FrameRecord
   vec3 forward;
   vec3 right;
   vec3 up;
-  vec3 viewPosition; // where specular highlights are seen from
+  vec3 viewPosition; // the eye, for specular highlights
   vec3 viewAxis;     // unit, towards the viewer
   float nearDepth;
   float farDepth;
@@ -256,7 +256,7 @@ struct FrameRecord
   RTG_ADDRESS(UintArray) environmentCells; // EnvironmentCell
   uvec2 environmentSize;
   uint environmentCellSide;
-  uint environmentCellColumns; // 0: nothing to aim at
+  uint environmentCellColumns; // 0: nothing to sample
   uint environmentCellRows;
   float environmentThreshold;
   vec3 environmentRight;

@@ -33,7 +33,7 @@ struct GlyphRun
 enum class Structure
 {
   Boxes, ///< the driver's, one primitive a glyph or triangle, by ray queries; on GPUs with hardware for it
-  Tree   ///< our own trees (GlyphTree); on all other devices
+  Tree   ///< the plugin's BVH (GlyphTree); on all other devices
 };
 
 /// Features of a set and its programs: bits of Variants.h.

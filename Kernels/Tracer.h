@@ -44,10 +44,10 @@ enum class Pass : std::uint32_t
 {
   Opaque = 0,      ///< the sets that HasOpaque() speaks of
   Translucent = 1, ///< all translucent layers in front of what is opaque, up to 256 on a ray
-  All = 2          ///< both in one image; for path tracing, which mixes them by chance
+  All = 2          ///< both in one image; for path tracing, which mixes them at random
 };
 
-/// Where the light comes from that is seen on a surface: Shading/List.h.
+/// Shading modes: Shading/List.h.
 enum class Shading : std::uint32_t
 {
 #define RTG_SHADING_NUMBER(number, Name, ...) Name = number,
@@ -90,8 +90,8 @@ struct TraceSettings
   /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.
   bool shadows = false;
   /// A plane that shows only the fraction of its light that is blocked: ambient occlusion's and path
-  /// tracing's, and that of shadows. It is seen from the side to which its normal (unit) points, behind all else; zero:
-  /// there is none.
+  /// tracing's, and that of shadows. It is visible from the side to which its normal (unit) points, behind all else;
+  /// zero: there is none.
   glm::vec3 groundNormal{ 0.0f };
   double groundHeight = 0.0;    ///< along the normal, world coordinates
   float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere

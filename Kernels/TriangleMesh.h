@@ -1,4 +1,4 @@
-// Triangles as plain host data: the form of mesh glyphs, or a surface among the glyphs.
+// Triangles as plain host data: the mesh of glyphs, or a surface among the glyphs.
 #pragma once
 
 #include "Motion.h"

@@ -96,7 +96,7 @@ const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
   ENTRY(2, uint, someHave)           /* variants of some set */                                                        \
   ENTRY(3, bool, independentSamples) /* as TraceSettings has it */                                                     \
   ENTRY(4, bool, alone)              /* the scene has one record, FrameRecord::onlySet */                              \
-  ENTRY(5, bool, translucency)       /* some set has opacity below one, and rays pass it by chance */                  \
+  ENTRY(5, bool, translucency)       /* some set has opacity below one, and rays pass it at random */                  \
   ENTRY(6, bool, leavesSurface)      /* rays will start from hits */                                                   \
   ENTRY(7, bool, gathersFeatures)    /* normals and so on are summed */                                                \
   ENTRY(8, bool, moves)              /* something in the scene does */                                                 \
@@ -104,7 +104,7 @@ const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
   ENTRY(10, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
   ENTRY(11, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
   ENTRY(12, uint, degree)            /* the largest of polynomials */                                                  \
-  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's structure, not in own trees */            \
+  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's BVH, not in the plugin's */               \
   ENTRY(14, bool, shadows)           /* as TraceSettings has it */                                                     \
   ENTRY(15, bool, sky)               /* light comes from all around, too */                                            \
   ENTRY(16, bool, ground)            /* a plane catches shadows */

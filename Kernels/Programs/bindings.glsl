@@ -76,7 +76,7 @@ float ValueBetween(const float least, const float interpolated)
 
 const uint nothing = 0xffffffffu; // no glyph, no triangle
 
-// More translucent surfaces on a ray than it passes by chance count as a wall.
+// Limit of translucent surfaces that a ray may pass at random; beyond it the ray is blocked.
 const uint maximumPasses = 4096u;
 
 // The magnitude of the largest component.

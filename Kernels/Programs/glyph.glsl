@@ -174,7 +174,7 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
   return met || inside;
 }
 
-// Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
+// Translucent surfaces that rays pass at random: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
 float OpacityOf(const GlyphSetRecord set, const uint glyph)
 {
   float opacity = OpacityOfGlyph(set, glyph);
@@ -203,7 +203,7 @@ vec4 ColourBetweenEnds(
   return colour * vec4(vec3(1.0), OpacityOf(set, number));
 }
 
-// Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.
+// Whether the ray passes translucent surfaces of the set at random. `seed`: of the ray; 0: it passes none.
 bool MayPass(const GlyphSetRecord set, const uint seed)
 {
   return translucency && seed != 0u && set.translucent != 0u;

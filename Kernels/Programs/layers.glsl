@@ -1,5 +1,5 @@
 // Translucent surfaces along a camera ray, front to back: what each lets through lights what the eye sees of the next.
-// That is how depth peeling composites them, and what path tracing, which stops at each by chance, shows in the mean.
+// That is how depth peeling composites them, and what path tracing, which stops at each at random, shows on average.
 
 // More are left out, and so is what shines through by less than LEAST_PASSING.
 const uint maximumLayers = 256u;

@@ -1,6 +1,6 @@
 // A glyph that is a copy of a mesh. With a tree of our own (MESH_TREE) it is a shape like the others, whose
 // intersection goes through the tree of its triangles (Kernels/MeshTree.h) in its own frame, at the time of the ray in
-// flight; without one the driver's structure brings its triangles.
+// flight; without one the driver's BVH has its triangles.
 #include "tree.glsl"
 #include "triangle.glsl"
 

@@ -11,7 +11,7 @@
 #include "../Shading/Reflection.glsl"
 #include "../Shading/Ground.glsl"
 
-// The number of rays aimed at the environment image: beyond those of all bounces.
+// The sample dimension of environment rays: beyond those of all bounces.
 const uint eventEnvironment = 0x400000u;
 
 // Where light is the same from all around and comes from nowhere else, what a surface reflects can be guessed, and
@@ -185,7 +185,7 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
   return direct;
 }
 
-// The same of what is aimed at of the environment.
+// The same for a sampled direction of the environment.
 DirectLight FromEnvironment(const bool onGround, const Surface surface, const vec3 x, const vec3 y, const vec3 normal,
   const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
 {

@@ -64,7 +64,7 @@ struct Pixel
   bool found; // some sample hit
   bool centreHit;
   float depth;  // view depth of the center's sample, or else of the nearest
-  float behind; // window depth of what is seen without having been hit: the ground
+  float behind; // window depth of the ground, which rays do not hit
   uint record;  // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
   uint glyph;
 };
@@ -94,7 +94,7 @@ Pixel BeginPixel(const uvec2 position)
   return pixel;
 }
 
-// Adds a layer of a sample, or all that a sample has seen.
+// Adds a layer of a sample, or a whole sample.
 void AddToPixel(inout Pixel pixel, const vec3 colour, const float opacity)
 {
   pixel.opacity = Add(pixel.opacity, opacity);

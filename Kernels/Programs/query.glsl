@@ -1,4 +1,4 @@
-// Candidates from the driver's structure, by ray queries: glyphs as boxes, and triangles of meshes at rest, which the
+// Candidates from the driver's BVH, by ray queries: glyphs as boxes, and triangles of meshes at rest, which the
 // driver intersects.
 #ifndef RTG_QUERY
 #define RTG_QUERY

@@ -1,4 +1,4 @@
-// Tracing one ray. What it may meet is found in own trees (walk.glsl) or by ray queries in the driver's structure
+// Tracing one ray. Candidates come from the plugin's BVH (walk.glsl) or, by ray queries, from the driver's
 // (query.glsl); the code after that is common.
 #include "glyph.glsl"
 #include "query.glsl"

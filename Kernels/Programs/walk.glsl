@@ -1,4 +1,4 @@
-// Candidates from own trees: a ray goes through the visible sets one after the other and walks the tree of each
+// Candidates from the plugin's BVH: a ray visits the visible sets one after the other and traverses the BVH of each
 // (Kernels/GlyphTree.h).
 #ifndef RTG_WALK
 #define RTG_WALK

@@ -1,5 +1,5 @@
 // Light from an image in longitude and latitude (Kernels/Environment.h), in two parts: what is below the threshold is
-// found by rays that scatter there, what exceeds it is aimed at.
+// found by rays that scatter there, what exceeds it is sampled as a light.
 #ifndef RTG_ENVIRONMENT
 #define RTG_ENVIRONMENT
 

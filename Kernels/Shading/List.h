@@ -1,8 +1,8 @@
-// Where the light comes from that is seen on a surface: number, name (rtg::Shading), program (Programs/<program>.comp),
+// Shading modes: number, name (rtg::Shading), program (Programs/<program>.comp),
 // and what else it differs in (rtg::ShadingTraits):
 //   scatters: rays leave surfaces in random directions, so that images are noisy; with shadows all are
 //   linear: images are light in linear units, else display colors
-//   layers: translucent surfaces are composited front to back; else rays pass them by chance
+//   layers: translucent surfaces are composited front to back; else rays pass them at random
 //   environmentImage: an image may be the light from all around
 //   rays: the setting that says how many start from what a camera ray hits
 //   atOnce: log2 of the camera rays of a dispatch

@@ -4,7 +4,7 @@
 
 #include "Span.glsl"
 
-// Half the extents of the ellipse with the given half-axes (unit form's frame) along the world's axes.
+// Half the extents of the ellipse with the given half-axes (unit glyph's frame) along the world's axes.
 RTG_FN real3 DiscReach(const Glyph glyph, const real3 u, const real3 v)
 {
   real3 a = RotateToWorld(glyph, u);

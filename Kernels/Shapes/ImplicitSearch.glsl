@@ -10,7 +10,7 @@
 // is but one crossing, that is it. Else the window is cut where the bounds are loosest. What is less than
 // rounding, a sign at the end of a window or a window in which f touches zero, is left to double words.
 //
-// Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or dawdles.
+// Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or stalls.
 // The last steps are done in double words: f is then known to about 1e-13, which a grazing ray wants.
 //
 // Why it cannot loop: each turn evaluates f or takes a window away, and evaluations are counted. Behind the last one

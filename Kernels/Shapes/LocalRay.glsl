@@ -16,8 +16,8 @@ struct Glyph
 {
   real3 centre;
   real3 centreLow;
-  real3 size;     // full extents along the unit form's axes, > 0
-  real4 rotation; // unit quaternion (x, y, z, w), unit form to world; used only when turned
+  real3 size;     // full extents along the unit glyph's axes, > 0
+  real4 rotation; // unit quaternion (x, y, z, w), unit glyph to world; used only when turned
   bool turned;
   bool sameSize; // size.x == size.y == size.z is known
   real4 arrow;   // shaft radius, tip radius, tip length, tip rounding

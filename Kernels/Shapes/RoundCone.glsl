@@ -164,7 +164,7 @@ RTG_FN bool InNextPiece(const real3 p, const real3 joint, const real radius, con
   return inside && (along <= run + next.w * sine || inFarBall);
 }
 
-// Whether a crossing at p, in the frame of the form, lies inside the rest of the line.
+// Whether a crossing at p, in the glyph's frame, lies inside the rest of the line.
 RTG_FN bool IsInner(const RoundConeForm form, const Glyph glyph, const real3 p, const int face)
 {
   real unit = RoundConeUnit(glyph);
@@ -222,7 +222,7 @@ RTG_FN bool IsInPiece(const GlyphRay ray, const Glyph glyph, const real t)
   return held && !(glyph.before.w > real(0.0) && InHull(p, -last, first, before, glyph.before.w));
 }
 
-// The ray in the frame of the form.
+// The ray in the glyph's frame.
 RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const RoundConeForm form, const real tMin,
   const real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {

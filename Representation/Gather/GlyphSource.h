@@ -1,5 +1,5 @@
 /**
- * The kernels' form of 3D Glyphs' GlyphType: a shape of the kernels, where that is exactly what the source
+ * The kernels' shape of 3D Glyphs' GlyphType: a shape of the kernels, where that is exactly what the source
  * approximates by triangles, or its triangles.
  */
 #ifndef GlyphSource_h

@@ -1,6 +1,6 @@
 /**
  * @class   GlyphStepVelocity
- * @brief   velocities of points by differences to the time step seen before
+ * @brief   velocities of points by differences to the previously shown time step
  *
  * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of
  * first order, of the points that have the same id in both steps. "Before" is the last step of another time that this

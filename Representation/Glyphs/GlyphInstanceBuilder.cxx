@@ -260,7 +260,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   rtg::GlyphInstances& instances = result.Instances;
   instances.shape = settings.Shape;
   instances.arrow = settings.Arrow;
-  // Of tensors, quadratic forms tell the sign.
+  // Quadratic forms give the sign of tensors.
   const auto surface = settings.SurfaceColors();
   using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
   instances.surfaceColours = surface == SurfaceColours::Sign && !settings.Forms.On ? SurfaceColours::None : surface;

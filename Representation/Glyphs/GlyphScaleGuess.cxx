@@ -30,7 +30,7 @@ constexpr double mostNeighbors = 10.0; // size of spheres in another unit than t
 constexpr double leastArea = 0.25;     // of all glyphs, as a fraction of that of as many of the typical size
 constexpr double mostExcess = 2.0;     // so much smaller all glyphs become for the largest to fit
 constexpr double manyLimited = 8.0;    // so many of the largest glyphs cover a quarter of the longest side's square
-constexpr double few = 2000.0;         // so few are seen one by one, also where some touch
+constexpr double few = 2000.0;         // so few are distinguishable, also where some touch
 constexpr double arrowLength = 2.5;    // of typical glyphs' size: arrows are thin
 
 // Where the points are.

@@ -1,6 +1,6 @@
 /**
  * @class   GlyphScaleGuess
- * @brief   the world size of a unit glyph with which the glyphs of any data can be seen
+ * @brief   the world size of a unit glyph that makes the glyphs of any data visible
  *
  * Typical glyphs are 0.9 of the usual distance between neighbors long, arrows, which are thin, 2.5 times that. The
  * distance is the median, over some of the points of all ranks, of that to the nearest point elsewhere; the search is

@@ -39,7 +39,7 @@ struct GlyphScaling
   RayTracedChoice<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
   GlyphSizing Sizing;             // of magnitudes of the scale array, and of eigenvalues
   GlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
-  GlyphForms::Settings Forms;     // on: polynomials are the glyphs' form and size
+  GlyphForms::Settings Forms;     // on: polynomials are the glyphs' shape and size
   GlyphMask Mask;
 
   bool operator==(const GlyphScaling&) const = default;
@@ -107,7 +107,7 @@ struct GlyphSettings : GlyphScaling
   GlyphScaling OfMagnitudes() const;
 
   /**
-   * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
+   * Whether fixed arrow heads have the proportions of the unit arrow on the 95th percentile's arrow.
    */
   bool NeedsHighScale() const
   {

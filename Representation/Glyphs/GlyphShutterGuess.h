@@ -1,6 +1,6 @@
 /**
  * @class   GlyphShutterGuess
- * @brief   the shutter time with which motion blur of any data can be seen
+ * @brief   the shutter time that makes motion blur of any data visible
  *
  * Of the points that move, the one with the 95 % quantile of the speeds makes a streak three typical glyphs long, or a
  * twentieth of the data's longest side where what moves has no size, as surfaces. The fastest goes no farther than half

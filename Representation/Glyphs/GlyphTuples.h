@@ -115,7 +115,7 @@ std::vector<vtkDataArray*> All(vtkPolyData* points, const GlyphSettings& setting
 
 /**
  * Dependencies of glyphs of all these settings at the same points. Arrays are known by their time stamps, of which no
- * two are alike: data that come again in a new vtkPolyData are seen to be the same.
+ * two are alike: data that come again in a new vtkPolyData are recognized.
  */
 struct Key
 {

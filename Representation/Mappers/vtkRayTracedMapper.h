@@ -256,7 +256,7 @@ protected:
 
 private:
   // Dependencies of instances besides the settings. Arrays are known by their time stamps, of which no two are alike:
-  // data that come again in a new vtkPolyData are seen to be the same.
+  // data that come again in a new vtkPolyData are recognized.
   struct InstanceKey
   {
     std::vector<vtkMTimeType> Times;

@@ -274,7 +274,7 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const rtgly
 }
 
 //----------------------------------------------------------------------------
-// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts are
+// Mesh 0 of a table is drawn by the main mapper, mesh i by layer i - 1. The arrows of antisymmetric parts are
 // a layer, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {

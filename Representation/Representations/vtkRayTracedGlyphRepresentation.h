@@ -277,7 +277,7 @@ private:
   rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
   rtglyphs::GlyphMeshes Meshes;
-  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
+  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // arrows of tensor axes, further meshes of a table
 };
 
 #endif

@@ -77,7 +77,7 @@ public:
   const char* GetRenderStatistics();
 
   /**
-   * The place of what is seen in a pixel, counted from the lower left, as a JSON array; empty: nothing ray-traced is.
+   * The position of the glyph in a pixel, counted from the lower left, as a JSON array; empty: there is none.
    * To be called by all ranks that render at once.
    */
   const char* FindPlace(int x, int y);

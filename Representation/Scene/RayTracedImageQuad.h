@@ -64,7 +64,7 @@ public:
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use);
 
   /**
-   * Draws pixels of the viewport again where the image is seen: where nothing that has depth lies before it.
+   * Draws pixels of the viewport again where the image is visible: where nothing that has depth lies before it.
    */
   void DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels);
 

@@ -1,6 +1,6 @@
 /**
  * Light across ranks: each rank gets the glyphs and triangles of the others that overlap its neighborhood, which
- * shade what it shows and are not seen themselves.
+ * shade what it shows and are invisible themselves.
  *
  * A rank's neighborhood is the box round what it shows, grown by the distance from which things occlude. What comes
  * from others is exchanged again only when something of any rank has changed.

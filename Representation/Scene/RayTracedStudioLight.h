@@ -1,5 +1,5 @@
 /**
- * The light of ambient occlusion and path tracing by default, which shows form: a sky that is brighter above than below
+ * The default light of ambient occlusion and path tracing, which shows shape: a sky that is brighter above than below
  * and, in path tracing, a key light from above on the left, as in a photographer's studio. Both follow the camera.
  * People take light to come from there (Sun and Perona, "Where is the sun?", Nature Neuroscience 1, 1998).
  */

@@ -314,7 +314,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
     (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) || shape >= Shapes::REYNOLDS;
   if (tensors || shape == Shapes::SPHERICAL_HARMONICS)
   {
-    explain("Form", tensors ? "GlyphTensorArray" : "GlyphHarmonicsArray");
+    explain("Shape", tensors ? "GlyphTensorArray" : "GlyphHarmonicsArray");
   }
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {
