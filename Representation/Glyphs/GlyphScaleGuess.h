@@ -5,9 +5,9 @@
  * Typical glyphs are 0.9 of the usual distance between neighbors long, arrows, which are thin, 2.5 times that. The
  * distance is the median, over some of the points of all ranks, of that to the nearest point elsewhere; the search is
  * exact, however the points are spread over the ranks, and points without a glyph do not count. Data that are
- * crowded in a small part of their box, or along one direction, would show nothing, so typical glyphs are at least a
- * 200th of the data's longest side, or half of their mean spacing where that is less. The sides are those between the
- * outer percentiles of the same points: a lost particle does not count.
+ * crowded in a small part of their box, or along one direction, would show nothing, so typical glyphs are at least an
+ * 80th of the data's longest side, or half of their mean spacing where that is less (all of it of few). The sides are
+ * between the outer percentiles of the same points: a lost particle does not count.
  *
  * Where an array or tensors scale the glyphs, the typical one has the 95 % quantile of the scales. Of stress around a
  * load, say, most would then be specks: where all glyphs together cover less than a quarter of as many typical ones,
