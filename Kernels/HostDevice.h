@@ -248,7 +248,7 @@ struct FrameRecord
   // The ground (Shading/Ground.glsl)
   vec3 groundNormal;  // unit
   float groundHeight; // along it, relative to the scene's origin
-  vec3 groundSky;     // light from all around that arrives there, as that of the sky's mean radiance
+  vec3 groundSky;     // environment light on it, as that of the sky's mean radiance
   uint branches;      // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
   // An environment image (Shading/Environment.glsl), when the program has one

@@ -72,7 +72,7 @@ struct TraceSettings
   bool keepSums = false; ///< more samples will be added: keep what they are added to
 
   Shading shading = Shading::Local;
-  /// Light from all around (the sky), of ambient occlusion and path tracing: a display color and its strength, >= 0.
+  /// Environment light (the sky) of ambient occlusion and path tracing: a display color and its strength, >= 0.
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
   /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
@@ -84,7 +84,7 @@ struct TraceSettings
   /// Surfaces whose color is their material's reflect at most this fraction of the light, in (0, 1]; 1: no limit.
   /// Colors of glyphs and triangles stay.
   float albedoLimit = 1.0f;
-  /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is
+  /// Path tracing: the environment light is this image's, times environmentColour and lightIntensity; null: it is
   /// the same from everywhere. Not to be changed afterwards: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.

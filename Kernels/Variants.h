@@ -100,11 +100,11 @@ const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
   ENTRY(6, bool, leavesSurface)      /* rays will start from hits */                                                   \
   ENTRY(7, bool, gathersFeatures)    /* normals and so on are summed */                                                \
   ENTRY(8, bool, moves)              /* something in the scene does */                                                 \
-  ENTRY(9, bool, environmentImage)   /* light from all around is an image */                                           \
+  ENTRY(9, bool, environmentImage)   /* the environment light is an image */                                           \
   ENTRY(10, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
   ENTRY(11, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
   ENTRY(12, uint, degree)            /* the largest of polynomials */                                                  \
   ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's BVH, not in the plugin's */               \
   ENTRY(14, bool, shadows)           /* as TraceSettings has it */                                                     \
-  ENTRY(15, bool, sky)               /* light comes from all around, too */                                            \
+  ENTRY(15, bool, sky)               /* there is environment light */                                                  \
   ENTRY(16, bool, ground)            /* a plane catches shadows */

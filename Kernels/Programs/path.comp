@@ -14,7 +14,7 @@
 // The sample dimension of environment rays: beyond those of all bounces.
 const uint eventEnvironment = 0x400000u;
 
-// Where light is the same from all around and comes from nowhere else, what a surface reflects can be guessed, and
+// With uniform environment light and no other, the reflected light of a surface can be estimated, and
 // Russian roulette may end a path from its second hit on; else from its third.
 bool Guessing()
 {

@@ -3,7 +3,7 @@
 //   scatters: rays leave surfaces in random directions, so that images are noisy; with shadows all are
 //   linear: images are light in linear units, else display colors
 //   layers: translucent surfaces are composited front to back; else rays pass them at random
-//   environmentImage: an image may be the light from all around
+//   environmentImage: an image may be the environment light
 //   rays: the setting that says how many start from what a camera ray hits
 //   atOnce: log2 of the camera rays of a dispatch
 // CMakeLists.txt reads these lines, too.

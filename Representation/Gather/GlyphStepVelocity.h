@@ -11,7 +11,7 @@
  * the two positions is not finite. So do all in the first step.
  *
  * So does a point that goes more than half of the extent along an axis while most go less than a tenth of it: it has
- * crossed the border of a periodic box, whose length the data do not tell.
+ * crossed the border of a periodic box, whose length is not among the data.
  */
 #ifndef GlyphStepVelocity_h
 #define GlyphStepVelocity_h
@@ -44,8 +44,8 @@ public:
   bool SetPointIdArray(const std::string& name);
 
   /**
-   * Adds the point array Name() to the leaves of the RayTracedTree `gathered`, made of `input`. Without ids, or
-   * where the data say no time, all stand still. Steps of another source than the last are forgotten.
+   * Adds the point array Name() to the leaves of the RayTracedTree `gathered`, made of `input`. Without ids or
+   * times, all points stand still. Steps of another source than the last are forgotten.
    */
   void AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source);
 

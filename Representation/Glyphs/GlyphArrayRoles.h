@@ -43,7 +43,7 @@ struct Array
 struct Choice
 {
   std::string Name; // empty: none
-  std::string Why;  // what speaks for it, in a few words
+  std::string Why;  // the reason, in a few words
   int Components = 0;
   explicit operator bool() const { return !this->Name.empty(); }
 };

@@ -12,7 +12,7 @@
  * Where an array or tensors scale the glyphs, the typical one has the 95 % quantile of the scales. Of stress around a
  * load, say, most would then be specks: where all glyphs together cover less than a quarter of as many typical ones,
  * they grow until they do. No glyph is larger than a fifth of the longest side. Where the largest would be up to twice
- * that, all become smaller; where it would be more, a limit holds for those few, so that a single wild value neither
+ * that, all become smaller; where it would be more, a limit holds for those few, so that an outlier neither
  * fills the view nor makes the others vanish. The limit is lower where many glyphs have it, which then cover a quarter
  * of the longest side's square.
  *

@@ -96,7 +96,7 @@ vtkDataArray*
 Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
 /**
- * Says which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
+ * Reports which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
  */
 void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
   std::vector<std::string>& messages);

@@ -73,7 +73,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings = ToTraceSettings(settings);
   view.settings.width = width;
   view.settings.height = height;
-  // Headlight and light kit make up for the lack of light from all around; path tracing has that.
+  // Headlight and light kit replace environment light, which path tracing has.
   const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
   const bool soft = settings.Shadows || view.settings.shading == rtg::Shading::PathTracing;
   view.lights = rtglyphs::RayTracedRendererState::LightsOf(

@@ -35,7 +35,7 @@ public:
   void EndFrame();
 
   /**
-   * Work begins, of which there is nothing to tell yet.
+   * Work begins, without progress yet.
    */
   void Start();
 

@@ -40,7 +40,7 @@ rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
 std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, double softness, bool placedOnly = false);
 
 /**
- * The image that the renderer takes light from all around from (vtkRenderer::UseImageBasedLighting), with 8-bit colors
+ * The renderer's environment image (vtkRenderer::UseImageBasedLighting), with 8-bit colors
  * as sRGB and others as linear; null: it has none, or none of two dimensions. `last` is given back when it is still
  * that image. Images of more than 4096 x 2048 texels are made smaller by means over blocks.
  */

@@ -357,7 +357,7 @@ void vtkRayTracedScene::ExchangeEdges()
     self.Edges.Exchange(whole ? drawn->Image : nullptr, whole ? drawn->Entry->Image.Version() : 0);
   if (!problem.empty())
   {
-    this->Report("Ray Traced Glyphs: smooth edges in front of other ranks' glyphs are mixed with the background (" +
+    this->Report("Ray Traced Glyphs: anti-aliased edges show the background instead of other ranks' glyphs (" +
       problem + "). Make the picture smaller, or set ParallelLight to Replicated.");
   }
 }

@@ -4,8 +4,8 @@
  *
  * A renderer has at most one scene. The view's settings are those of its vtkRayTracedView. Representations add their
  * actors and mappers; an actor of the scene's own draws the image, behind the other actors of the
- * renderer, because smooth edges are blended with what lies behind them. The actors that were added draw only ids, for
- * a selector.
+ * renderer, because anti-aliased edges are blended with what lies behind them. The actors that were added draw only
+ * ids, for a selector.
  *
  * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is
  * handed to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
@@ -124,7 +124,7 @@ public:
   std::vector<Shown> CopyShown();
 
   /**
-   * Says, once after each frame, that a scene that is being exported goes without what is ray traced.
+   * Warns, once after each frame, that exporters leave ray-traced displays out.
    */
   void ReportExport();
 
