@@ -106,7 +106,7 @@ pqRayTracedGlyphsReference::pqRayTracedGlyphsReference(QWidget* parent)
   browser->setHtml(Page());
   auto* search = new QLineEdit(this);
   search->setObjectName("Search");
-  search->setPlaceholderText(tr("Search; Enter for the next place"));
+  search->setPlaceholderText(tr("Search; Enter for the next match"));
   search->setClearButtonEnabled(true);
   QObject::connect(search, &QLineEdit::textChanged, browser,
     [browser](const QString& words)

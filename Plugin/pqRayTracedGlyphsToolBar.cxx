@@ -161,7 +161,7 @@ void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
     auto* window = qobject_cast<QMainWindow*>(this->window());
     if (window && image.Scene && image.Scene->GetSecondsOfQuality(quality->data().toInt()) > longTime)
     {
-      window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps what is there."), 10000);
+      window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps the samples so far."), 10000);
     }
   }
   this->follow(view);

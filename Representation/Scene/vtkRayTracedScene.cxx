@@ -324,7 +324,7 @@ void vtkRayTracedScene::CheckImage(const rtg::ProgressiveImage& image, bool fail
   {
     self.CutReported = true;
     vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << image.Samples() << " of "
-                    << self.Settings.SamplesPerPixel << " samples a pixel. Save it again to have them all.");
+                    << self.Settings.SamplesPerPixel << " samples per pixel. Save it again to have them all.");
   }
 }
 
