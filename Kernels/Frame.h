@@ -32,9 +32,9 @@ Specialization SpecializationFor(const TraceSettings& settings);
 void FillConstants(Constants& constants, const Scene::State& scene);
 void FillScene(device::FrameRecord& frame, const Scene::State& scene);
 
-/// Samples a pixel in one dispatch at most: a GPU that works on one for seconds is taken for hung by its driver.
+/// Samples a pixel in one dispatch at most: a driver resets a GPU whose dispatch takes seconds.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
-/// The same of the first dispatch, as long as nothing is known of what a sample costs: few pixels are few threads, each
+/// The same of the first dispatch, while the cost of a sample is unknown: few pixels are few threads, each
 /// of which traces all of its samples one after the other.
 std::uint32_t SamplesAtFirst(const TraceSettings& settings);
 

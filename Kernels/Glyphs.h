@@ -130,9 +130,8 @@ struct GlyphInstances
   /// p.x^2 + f.y p.y^2 + f.z p.z^2, in place of the glyphs' colors; their opacity stays. Not for Shape::Mesh.
   std::vector<glm::vec3> forms;
 
-  /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that degree (2,
-  /// 4,
-  /// ..., 12). In units of a glyph's size its surface is at the distance |f| / 2 from the center.
+  /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that even degree,
+  /// 2 to 12. In units of a glyph's size its surface is at the distance |f| / 2 from the center.
   GlyphTuples polynomials;
   int polynomialDegree = 0;
   /// Color rule of a point of a glyph's surface, in place of the glyphs' colors; their opacity stays.

@@ -1,4 +1,4 @@
-// An image on the device, and what the host sees of it.
+// An image on the device, and its copy on the host.
 #pragma once
 
 #include "HostDevice.h"

@@ -36,7 +36,7 @@ struct Statistics
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.
-/// Setters only take note; Commit() sends and builds what has changed and nothing else. A set that is not visible holds
+/// Setters only record; Commit() uploads and builds what has changed and nothing else. A set that is not visible holds
 /// no memory of the device. A Commit() that throws leaves the scene empty to tracers; the next one goes on where it
 /// stopped. Not thread-safe. All members throw rtg::Error and nothing else.
 class Scene

@@ -72,8 +72,8 @@ struct PlacedMesh
   std::optional<bool> closed;                    ///< IsClosed() of the source, once computed
 };
 
-/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats
-/// cannot tell: then the driver's triangles will not do.
+/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie where the driver's floats are too
+/// coarse: then they need a BVH of their own.
 bool IsMovingMesh(const GlyphInstances& instances);
 
 /// Whether triangles bound a body: each edge, by the places of its ends, is one of an even number of triangles.

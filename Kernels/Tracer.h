@@ -42,8 +42,8 @@ struct Image
 
 enum class Pass : std::uint32_t
 {
-  Opaque = 0,      ///< the sets that HasOpaque() speaks of
-  Translucent = 1, ///< all translucent layers in front of what is opaque, up to 256 on a ray
+  Opaque = 0,      ///< the sets of HasOpaque()
+  Translucent = 1, ///< all translucent layers in front of the nearest opaque surface, up to 256 on a ray
   All = 2          ///< both in one image; for path tracing, which mixes them at random
 };
 
@@ -57,7 +57,7 @@ enum class Shading : std::uint32_t
 
 enum class ToneMapping : std::uint32_t
 {
-  None = 0,   ///< light beyond 1 is cut off
+  None = 0,   ///< light beyond 1 is clipped
   Filmic = 1, ///< a fit of the ACES curve
   Neutral = 2 ///< light beyond 0.9 is compressed, hues stay
 };
@@ -76,7 +76,7 @@ struct TraceSettings
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
   /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
-  /// the same from everywhere.
+  /// it the same from everywhere.
   glm::vec3 skySlope{ 0.0f };
   /// Ambient occlusion: the fraction of the light on a surface that is the view's lights, which nothing occludes; the
   /// rest is the sky's. In [0, 1].
@@ -85,7 +85,7 @@ struct TraceSettings
   /// Colors of glyphs and triangles stay.
   float albedoLimit = 1.0f;
   /// Path tracing: the environment light is this image's, times environmentColour and lightIntensity; null: it is
-  /// the same from everywhere. Not to be changed afterwards: another image is another object.
+  /// uniform. Immutable: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.
   bool shadows = false;
@@ -94,9 +94,9 @@ struct TraceSettings
   /// zero: there is none.
   glm::vec3 groundNormal{ 0.0f };
   double groundHeight = 0.0;    ///< along the normal, world coordinates
-  float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
+  float occlusionRadius = 0.0f; ///< world units, largest distance of occluders; 0: any
   /// Ambient occlusion: occlusion rays per sample, 1 to 64; powers of two are spread best. Among small
-  /// glyphs the light differs more from direction to direction than the place in the pixel matters, and asking costs
+  /// glyphs the light varies more with the direction than with the position in the pixel, and an occlusion ray costs
   /// less than a sample.
   std::uint32_t occlusionRays = 1;
   /// Path tracing: paths that each sample follows from what its camera ray hits, 1 to 64; powers of two are spread
@@ -104,11 +104,11 @@ struct TraceSettings
   std::uint32_t paths = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
 
-  /// The samples of a pixel are independent of each other instead of spread evenly (Shading/Sobol.glsl): they err more,
+  /// The samples of a pixel are independent instead of stratified (Shading/Sobol.glsl): they err more,
   /// but their confidence intervals are known. For tests and references.
   bool independentSamples = false;
   /// Of the finished image, for the times of scenes that move; 0: firstSample + samples. Such images are the same
-  /// however their samples are shared out among calls only when it is given.
+  /// for any division of the samples into calls only when it is given.
   std::uint32_t plannedSamples = 0;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
@@ -155,8 +155,8 @@ private:
   std::stop_token stop_;
 };
 
-/// Traces a committed scene. The same scene, settings and device give the same image, however its samples are
-/// shared out among calls and threads. Not thread-safe. Throws rtg::Error; on a lost device the message says so
+/// Traces a committed scene. The same scene, settings and device give the same image, for any division of its
+/// samples into calls and threads. Not thread-safe. Throws rtg::Error; on a lost device the message says so
 /// and Device::Lost() becomes true.
 class Tracer
 {
@@ -173,8 +173,8 @@ public:
   Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
     Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
 
-  /// Has the programs for images of the scene in other light compiled in the background, when the processor has nothing
-  /// else to do. `ofShading`: the settings of each kind of shading.
+  /// Compiles the programs for images of the scene in other shading modes in the background, when the processor has
+  /// nothing else to do. `ofShading`: the settings of each kind of shading.
   void CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading);
 
   /// Goes on with the last image, which was interrupted, of the same scene.

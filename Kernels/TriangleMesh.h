@@ -13,7 +13,7 @@ namespace rtg
 {
 
 ///@{
-/// Among values that become colors: what is no number, and what has no value at all.
+/// Among values that become colors: NaN, and a missing value.
 constexpr float notANumber = -1e9f, noValue = -1e12f;
 ///@}
 
