@@ -76,7 +76,7 @@ struct TraceSettings
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
   /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
-  /// it the same from everywhere.
+  /// it is uniform.
   glm::vec3 skySlope{ 0.0f };
   /// Ambient occlusion: the fraction of the light on a surface that is the view's lights, which nothing occludes; the
   /// rest is the sky's. In [0, 1].
