@@ -63,7 +63,7 @@ public:
       std::uint64_t keys[mostGlyphs];
       for (std::size_t i = 0; i < count; ++i)
       {
-        // The low bits, of the index, only tell equal coordinates apart: so do places in the node.
+        // The low bits, of the index, only order equal coordinates; so do positions in the node.
         keys[i] = (entries[i].Key(axis) & ~std::uint64_t(0xff)) | i;
       }
       if (count <= fewGlyphs)

@@ -84,7 +84,7 @@ struct OrderedBoxes
   const std::uint32_t* order = nullptr;
 };
 
-/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an
+/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: measures how good an
 /// order is. Of very many leaves some ten thousand stand for all.
 double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits);
 

@@ -46,7 +46,7 @@ struct TreeRecord
 };
 
 // The record of a set, or of one of the driver's structures of it (the custom index of its instance). Only
-// what the set's variants ask for means something.
+// values of features that the set has are valid.
 struct GlyphSetRecord
 {
 #define RTG_FIELD(number, BIT, type, name, values, words) RTG_ADDRESS(type) name;

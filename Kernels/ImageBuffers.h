@@ -28,7 +28,7 @@ public:
   void Fill(device::FrameRecord& frame) const;
 
   /// Lets the image point at its pixels, where the host can read them. Those of other parts are invisible,
-  /// whatever the device's image has there.
+  /// even if the device's image has them.
   void Show(Image& image, const Tiling& tiling);
 
   void FillFeatures(Image& image) const;

@@ -41,7 +41,7 @@ struct ImageEffort
   std::uint32_t samplesAtOnce = 0; ///< most samples that one Update() adds; 0: as many as there is time for
   double seconds = 0.0;            ///< that one Update() may take, but for a launch; 0: no limit
   bool preview = false;            ///< the camera moves: a preview will do
-  std::uint32_t pixelStep = 2; ///< pixels of the image a pixel of a preview, along a side, >= 1; time may ask for more
+  std::uint32_t pixelStep = 2; ///< pixels of the image a pixel of a preview, along a side, >= 1; more if time is short
   /// True: the finished image has exactly `samples`, spread as for that number. False: more are as good, and a larger
   /// number is added to what is there.
   bool exact = true;

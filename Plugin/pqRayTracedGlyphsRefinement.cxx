@@ -439,7 +439,7 @@ pqProgressWidget* pqRayTracedGlyphsRefinement::ProgressBar()
 }
 
 //----------------------------------------------------------------------------
-// The widget itself is told: while pqProgressManager has progress to show it lets no input through.
+// The event goes to the widget itself: while pqProgressManager has progress to show it lets no input through.
 void pqRayTracedGlyphsRefinement::ShowProgress()
 {
   pqProgressWidget* bar = this->ProgressBar();

@@ -39,7 +39,7 @@ GlyphSetRecord SetRecord(const uint index)
 #define InSet(set, array, index) (Has((set).variants, array) ? (index) : 0u)
 
 // Index of the value of a glyph that a ray may have hit. Compilers may load it where the condition round it does not
-// hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
+// hold, for rays that hit nothing, too: the index is always one of the set's.
 #define InSetIfHit(set, array, glyph) InSet(set, array, min(glyph, (set).glyphCount - 1u))
 
 // A glyph's own color.
@@ -85,7 +85,7 @@ float LargestOf(const vec3 v)
   return max(abs(v.x), max(abs(v.y), abs(v.z)));
 }
 
-// The nearest hit. Whatever kind of surface it lies on, it fills all of this.
+// The nearest hit. Every kind of surface fills all members.
 struct SurfaceHit
 {
   float t;     // along the traced ray; negative: nothing hit

@@ -57,7 +57,7 @@ vec3 EvaluateAt(const bool onGround, const Surface surface, const vec3 from, con
   return ground && onGround ? vec3(to.z / scatterPi) : Evaluate(surface, from, to, u);
 }
 
-// The numbers that decide one scattering; those that the surface does not ask for are not drawn.
+// The numbers that decide one scattering; those that the surface does not need are not drawn.
 ScatterNumbers DrawNumbers(const Surface surface, const SampleNumber number, const uint bounce)
 {
   ScatterNumbers u;
@@ -142,7 +142,7 @@ vec3 GroundLight(const SceneRay ray, const SurfaceHit hit)
 // Light that a surface reflects unless it is occluded.
 struct DirectLight
 {
-  vec3 radiance; // zero: there is none to ask for
+  vec3 radiance; // zero: no shadow ray is needed
   vec3 direction;
   float distance;
   uint seed; // of the ray towards it

@@ -32,7 +32,7 @@ struct Query
   float tMin;
   float tMax;
   uint mask; // of the sets that it may hit
-  uint seed; // of the chance by which it passes translucent surfaces, the same ones whenever it is asked; 0: it passes
+  uint seed; // of the random choice which translucent surfaces it passes, the same at each call; 0: it passes
              // none
   bool any;  // any hit will do
 };

@@ -68,7 +68,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
         }
         else if (verdict != RTG_MISSED)
         {
-          // Which of two estimated glyphs is nearer their exact t must tell: first that of the hit, then this one comes
+          // The exact t decides which of two estimated glyphs is nearer: first that of the hit, then this one comes
           // again.
           candidate = estimated ? hit.glyph : glyph;
         }

@@ -1,5 +1,5 @@
 // One of the view's lights, with vtkLight's meaning, as it arrives at a position relative to the scene's origin. All
-// that tells kinds of lights apart (rtg::Light::Kind) is here.
+// that depends on the kind of light (rtg::Light::Kind) is here.
 #ifndef RTG_LIGHTS
 #define RTG_LIGHTS
 

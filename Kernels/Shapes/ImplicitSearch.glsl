@@ -103,7 +103,7 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, con
   return settles ? RTG_SETTLE : RTG_SPLIT;
 }
 
-// Walks to the next window that has a crossing, or may have one that only double words tell. Each turn evaluates f
+// Walks to the next window that has a crossing, or may have one that only double words resolve. Each step evaluates f
 // once or takes a window away.
 RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
 {

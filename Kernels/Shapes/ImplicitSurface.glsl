@@ -5,7 +5,7 @@
 //   RTG_PROBE ProbeAt(field, where, axis)             plain arithmetic's f at one point, with its slope and rounding
 //   RTG_PROBE WithSign(field, unit, probe)            the same with a certain sign, from double words
 //   DoubleWord NextBreak(field, after, axis)          the next point where the ray is to be cut into pieces
-//   Window WindowOf(field, a, b, way, width)          what the probes at the ends of a part of a piece tell of f in it
+//   Window WindowOf(field, a, b, way, width)          bounds of f in a part of a piece from the probes at its ends
 //   ImplicitPoint PointAt(field, at)                  f in double words, with two derivatives and the gradient
 //
 // ImplicitSearch.glsl does the rest for each family: isolates the crossings, brackets them, refines them in double
@@ -171,7 +171,7 @@ struct Window
 
 #define RTG_EMPTY 0
 #define RTG_UNIQUE 1 // it has one crossing, which plain arithmetic finds
-#define RTG_SETTLE 2 // only double words can tell
+#define RTG_SETTLE 2 // only double words can decide
 #define RTG_SPLIT 3
 
 // How far f may be from the parabola that its derivatives make: its third derivative, rather too large, and how far

@@ -40,7 +40,7 @@ struct PolynomialSearch
   real high;
   real near;
   bool turned; // whether h has its extreme at `a`
-  // Whether there is one only double words tell: `near` is where the surface comes closest and, where it turns back
+  // Only double words decide whether there is one: `near` is where the surface comes closest and, where it turns back
   // there, else where it goes farthest.
   bool touches;
   bool turnsBack;

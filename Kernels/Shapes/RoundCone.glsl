@@ -136,7 +136,7 @@ RTG_FN Span CutFlat(const LocalRay ray, const RoundConeForm form, const Glyph gl
 // circle. With S = |p - joint|^2 - radius^2, and b the distance of p from the plane of such a circle over the cosine of
 // the piece's angle, the quadric of the piece's side is S - b^2 (it vanishes with its gradient where S = b = 0). Two
 // such quadrics meet where the squares of their b are equal, which is in planes: so a comparison that is linear in p
-// tells on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
+// decides on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
 // `own`: b of this piece, for points of its side; zero for points of the ball at the joint. `ties`: whether the next
 // piece has the points in the plane itself.
 RTG_FN bool InNextPiece(const real3 p, const real3 joint, const real radius, const real4 next, const bool touches,

@@ -265,7 +265,7 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at)
   return PointAt(field, at, -1, real(0.0));
 }
 
-// At a cusp another plane may be closer than double words can tell: then the glyph may be less than it seems.
+// At a cusp another plane may be closer than double words can resolve: then the glyph may be less than it seems.
 RTG_FN SuperquadricProbe WithSign(const SuperquadricField field, const LocalRay unit, const SuperquadricProbe probe)
 {
   SuperquadricProbe certain = probe;

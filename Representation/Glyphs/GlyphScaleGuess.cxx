@@ -102,7 +102,7 @@ double MedianOfSpace(std::vector<double> squared, double axes)
 
 Extents Measure(const Points& points, bool rough)
 {
-  // Few for many points, so that all of them can be compared with each in no time; 64 tell a median to some percent.
+  // Few for many points, so that all of them can be compared with each in no time; 64 give a median to some percent.
   const double wanted = rough ? 64.0 : std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0);
   const std::vector<double> pivots = points.SampledPositions(wanted);
   Extents extents;

@@ -23,7 +23,7 @@ struct GlyphSizing
     SQUARE_ROOT = 1,
     CUBE_ROOT = 2,
     LOGARITHM = 3, // log10(1 + magnitude)
-    UNIT = 4       // 1, whatever the magnitude
+    UNIT = 4       // 1 for every magnitude
   };
   RayTracedChoice<Functions, LINEAR, UNIT> Function;
   double Least = 0.0; // of a glyph's longest extent, in world units; 0: none

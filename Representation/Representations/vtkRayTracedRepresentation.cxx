@@ -440,7 +440,7 @@ void vtkRayTracedRepresentation::UpdateSection()
 }
 
 //----------------------------------------------------------------------------
-// In the data's coordinates. `together`: all ranks ask at once, each of which has a part of the data.
+// In the data's coordinates. `together`: all ranks call it at once, each with a part of the data.
 rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkPolyData* points, vtkDataObject* data, bool together)
 {
   if (!this->Periodic.Boundary)

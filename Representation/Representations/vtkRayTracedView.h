@@ -88,7 +88,7 @@ public:
   bool GetRenderedRemotely();
 
   /**
-   * Whether this process has a Vulkan device to trace with; `words` tell which, or what is missing and how to get it.
+   * Whether this process has a Vulkan device to trace with; `words` name it, or what is missing and how to get it.
    * Lists the drivers' devices; no device is made.
    */
   static bool FindDevice(std::string& words);

@@ -156,7 +156,7 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
       this->Chosen.erase(name);
     }
     vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(reset && ShowsGlyphs(display));
-    glyphs->GetProperty("ScaleFactorFromData")->Modified(); // so that the data are asked again
+    glyphs->GetProperty("ScaleFactorFromData")->Modified(); // so that the value is computed again
   }
 }
 
