@@ -40,7 +40,7 @@ using Box = BoxOf<glm::vec3>;
 using DoubleBox = BoxOf<glm::dvec3>;
 
 /// A driver's slab test in float errs by a few ulps of the distances that it subtracts: at most 16 half-ulps of
-/// `reach`, which bounds coordinates of boxes and of ray origins. Boxes that are widened by that much stay
+/// `reach`, a bound of coordinates of boxes and of ray origins. Boxes that are widened by that much stay
 /// conservative.
 inline float SlabPadding(float reach)
 {

@@ -5,7 +5,7 @@
 namespace rtg
 {
 
-/// The rays of an image. A ray through normalised device coordinates (x, y) in [-1, 1], y up, starts at
+/// The rays of an image. A ray through normalized device coordinates (x, y) in [-1, 1], y up, starts at
 /// eye + x * eyeRight + y * eyeUp and runs along forward + x * right + y * up, whose component along
 /// the view axis is 1: a point at ray parameter s lies at view depth s.
 /// Perspective: eyeRight = eyeUp = 0. Parallel: right = up = 0.
@@ -23,7 +23,7 @@ struct Camera
   double depthA = 0.0;
   double depthB = 0.0;
   bool parallel = false;
-  /// Where specular highlights are seen from: the eye. In parallel projection the matrix does not say; VTK then takes
+  /// The eye, for specular highlights. In parallel projection the matrix does not say; VTK then takes
   /// the camera's position, so set it after FromWorldToClip (which puts it on the view axis at depth 0).
   glm::dvec3 position{ 0, 0, 1 };
 

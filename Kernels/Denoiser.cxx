@@ -17,7 +17,7 @@ namespace
 constexpr int levels = 5;          // steps of 1, 2, 4, 8 and 16 pixels: 63 pixels in all
 constexpr float depthSlack = 1.0f; // times what the surface's own slope explains
 constexpr float lightSlack = 4.0f; // standard deviations of the noise
-constexpr float darkest = 0.02f;   // colour by which light is still divided
+constexpr float darkest = 0.02f;   // color by which light is still divided
 constexpr float distances[3][3] = { { 0.0f, 1.0f, 2.0f }, { 1.0f, 1.414f, 2.236f },
   { 2.0f, 2.236f, 2.828f } };                // of a tap so many pixels off in x and y
 constexpr float kernel[2] = { 0.5f, 0.25f }; // binomial; wider ones take thrice the time and gain little
@@ -41,7 +41,7 @@ float Falloff(float x)
   return a128 * a128;
 }
 
-// What is known of a pixel, in one place.
+// All features of a pixel, together.
 struct Guide
 {
   glm::vec3 normal;
@@ -162,7 +162,7 @@ public:
   }
 
 private:
-  // Steepest of the depth differences to neighbours that go on in the same way: at an edge only one side does.
+  // Steepest of the depth differences to neighbors along one line: at an edge only one side does.
   void FindSlopes(int y)
   {
     for (int x = 0; x < this->width_; ++x)

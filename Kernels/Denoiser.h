@@ -9,20 +9,20 @@
 namespace rtg
 {
 
-/// What is known of an image's pixels besides their noisy light; Image has it. Rows of width pixels.
+/// Features of an image's pixels besides their noisy light; from Image. Rows of width pixels.
 struct DenoiserGuides
 {
   std::uint32_t width, height;
   const std::vector<glm::vec3>& normals; ///< unit, or zero where nothing was hit
-  const std::vector<glm::vec3>& albedos; ///< the surface's colour in the units of the light: divided out, put back
+  const std::vector<glm::vec3>& albedos; ///< the surface's color in the units of the light: divided out, put back
   const std::vector<float>& viewDepths;
 };
 
 /// Smooths the light of an image of few samples, within surfaces but not over their edges: an edge-avoiding wavelet
 /// transform (Dammertz, Sewtz, Hanika and Lensch, "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination
-/// Filtering", HPG 2010) of the light divided by the surfaces' colours, whose steps follow the noise's own variance as
+/// Filtering", HPG 2010) of the light divided by the surfaces' colors, whose steps follow the noise's own variance as
 /// Schied et al. do ("Spatiotemporal Variance-Guided Filtering", HPG 2017), estimated in the image itself.
-/// `means`: colour times opacity, and opacity; opacities are not changed, nor pixels of which nothing is known.
+/// `means`: color times opacity, and opacity; opacities are not changed, nor pixels of which nothing is known.
 /// Deterministic, on any number of threads. Throws rtg::Error soon after a stop is requested.
 void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const std::stop_token& stop = {});
 

@@ -8,7 +8,7 @@
 namespace rtg
 {
 
-/// Light from all around as an image in longitude and latitude. A direction d is seen at the column of the longitude
+/// Environment light as an image in longitude and latitude. Direction d is at the column of the longitude
 /// atan2(d . front, d . right), front = right x up, from -180 degrees at the left edge to 180 at the right one, and at
 /// the row of the latitude asin(d . up), from -90 degrees at the lower edge: as VTK's skyboxes and image-based lighting
 /// have it.
@@ -19,7 +19,7 @@ struct EnvironmentImage
   glm::vec3 right{ 1, 0, 0 }, up{ 0, 1, 0 }; ///< unit, perpendicular, world frame
 };
 
-/// Part of the image that is bright: rays are aimed at it, all others meet only what is below the threshold. A
+/// Bright part of the image: it is sampled as a light, other rays see only what is below the threshold. A
 /// threshold instead of weights by both densities (multiple importance sampling) because the density of a scattering is
 /// not known for layered materials, whose lobes are chosen at random.
 struct EnvironmentCell
@@ -29,7 +29,7 @@ struct EnvironmentCell
   float density; ///< of directions, per steradian
 };
 
-/// How to aim at what exceeds the threshold: cells of side x side texels, row by row from the lowest, those at the
+/// Sampling of what exceeds the threshold: cells of side x side texels, row by row from the lowest, those at the
 /// right and upper edges smaller.
 struct EnvironmentCells
 {
@@ -41,7 +41,7 @@ struct EnvironmentCells
 /// Throws rtg::Error for an image whose sizes do not fit.
 EnvironmentCells MakeEnvironmentCells(const EnvironmentImage& image);
 
-/// What arrives from all around on a surface with that normal (unit), over pi.
+/// Irradiance on a surface with that normal (unit), over pi.
 glm::vec3 MeanRadiance(const EnvironmentImage& image, const glm::vec3& normal);
 
 } // namespace rtg

@@ -1,4 +1,4 @@
-// What glyphs may be made of.
+// Numbers that glyphs may have.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -134,7 +134,7 @@ double FormMeter::Climb(const double* coefficients, glm::dvec3 n) const
   return best;
 }
 
-// What the first grid tells of a polynomial.
+// A polynomial's bounds by the first grid.
 struct FormMeter::Samples
 {
   double slack = 0.0; ///< a few roundings of sums; 0: there is nothing to measure

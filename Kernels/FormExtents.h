@@ -1,4 +1,4 @@
-// How far the glyph |p| = |f(p / |p|)| of a homogeneous polynomial reaches, with proof.
+// Bounds of the glyph |p| = |f(p / |p|)| of a homogeneous polynomial, with proof.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,10 +13,10 @@ struct FormExtent
 {
   double radius = 0.0;     ///< the largest |f| on the unit sphere, right to 1e-6; 0: there is no glyph
   double bound = 0.0;      ///< certainly not less; less than 2 % more
-  glm::dvec3 reach{ 0.0 }; ///< certainly not less than what the glyph reaches along each axis, not more than `bound`
+  glm::dvec3 reach{ 0.0 }; ///< a bound of the glyph's half extent along each axis, not more than `bound`
 };
 
-/// Measures polynomials of one degree. Several threads may share one.
+/// Measures polynomials of one degree. Several threads may use one.
 ///
 /// On a great circle f and f n_x are trigonometric polynomials of a degree up to m = k + 1. Where such a polynomial has
 /// its largest magnitude M, it is at least M cos(m a) up to the angle a from there (M. Riesz 1914). So of samples that
@@ -34,7 +34,7 @@ public:
   /// are up to 14 % too large.
   FormExtent MeasureRoughly(const double* coefficients) const;
 
-  /// What the programs take (Shapes/PolynomialForm.glsl): the polynomial divided by `extent.bound`, in floats, and
+  /// Input of the programs (Shapes/PolynomialForm.glsl): the polynomial divided by `extent.bound`, in floats, and
   /// before it the extents of what is left by rounding. 3 + FormTerms(Degree()) values.
   void Store(const double* coefficients, const FormExtent& extent, float* values) const;
 
@@ -49,7 +49,7 @@ private:
   double coarse_ = 1.0, fine_ = 1.0;       ///< cos(m a) of both grids
   std::vector<glm::dvec3> directions_;     ///< of the first grid
   std::vector<glm::dvec3> fineDirections_; ///< of the second, those in each cell of the first one after the other
-  std::vector<double> monomials_;          ///< of each term in turn, of all directions
+  std::vector<double> monomials_;          ///< term by term, of all directions
   std::vector<double> largest_;            ///< of each term on the sphere
 };
 

@@ -24,7 +24,7 @@ std::uint32_t PlannedSamples(const TraceSettings& settings)
   return settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
 }
 
-// In how many ways a sample looks for light.
+// Secondary rays per sample.
 std::uint32_t Branches(const TraceSettings& settings)
 {
   const auto rays = TraitsOf(settings).rays;
@@ -142,7 +142,7 @@ void CheckSettings(const TraceSettings& settings)
   check("the share", settings.share, 0u, settings.shares - 1u);
   if (settings.shares > 1 && settings.features)
   {
-    throw Error("Ray Traced Glyphs: features are asked of a share of an image; ask for them of the whole.");
+    throw Error("Ray Traced Glyphs: features need the whole image, not a part of it.");
   }
   if (settings.width > maxSide || settings.height > maxSide)
   {
@@ -176,12 +176,12 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
   frame.toneMapping = static_cast<std::uint32_t>(settings.toneMapping);
 }
 
-// What local shading does not use does not tell its programs apart.
+// Features that local shading does not use need no program of their own.
 Specialization SpecializationFor(const TraceSettings& settings)
 {
   Specialization specialization;
   const ShadingTraits traits = TraitsOf(settings);
-  // Local shading that asks for lights is ambient occlusion that does not ask for the sky.
+  // Local shading with shadows is ambient occlusion without the sky.
   const bool asks = settings.shadows && settings.shading == Shading::Local;
   specialization.program = static_cast<std::uint32_t>(asks ? Shading::AmbientOcclusion : settings.shading);
   Constants& constants = specialization.constants;

@@ -1,4 +1,4 @@
-// What the device's programs are told of an image that is to be traced.
+// The uniforms of the device's programs for an image.
 #pragma once
 
 #include "HostDevice.h"
@@ -14,7 +14,7 @@ namespace rtg
 /// Throws rtg::Error, which names the first setting that is out of its range.
 void CheckSettings(const TraceSettings& settings);
 
-/// Whether colours change on their way to the display.
+/// Whether tone mapping changes colors.
 bool Develops(const TraceSettings& settings);
 
 /// A position as a sum of two floats.
@@ -28,18 +28,18 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 
 /// The program for these settings, but for what the scene and the pass say.
 Specialization SpecializationFor(const TraceSettings& settings);
-/// What the scene says.
+/// Values of the scene.
 void FillConstants(Constants& constants, const Scene::State& scene);
 void FillScene(device::FrameRecord& frame, const Scene::State& scene);
 
-/// Samples a pixel in one dispatch at most: a GPU that works on one for seconds is taken for hung by its driver.
+/// Samples a pixel in one dispatch at most: a driver resets a GPU whose dispatch takes seconds.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
-/// The same of the first dispatch, as long as nothing is known of what a sample costs: few pixels are few threads, each
+/// The same of the first dispatch, while the cost of a sample is unknown: few pixels are few threads, each
 /// of which traces all of its samples one after the other.
 std::uint32_t SamplesAtFirst(const TraceSettings& settings);
 
-/// How many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighboring rays
-/// see the same slice of time: as many as there are slices and planned samples fill alike.
+/// How many binary digits of the time in the shutter's opening are common to all pixels in one sample, so that
+/// neighboring rays see the same slice of time: as many as there are slices and planned samples fill alike.
 std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits);
 
 /// The parts of the shutter's opening that local shading gives one sample each, and the step from one sample's part to

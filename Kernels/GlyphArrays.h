@@ -13,7 +13,7 @@ namespace rtg
 constexpr std::size_t glyphArrays = RTG_GLYPH_ARRAYS(RTG_COUNT);
 #undef RTG_COUNT
 
-/// Calls visit(number, bit, values, words) for each array of GlyphInstances, constant or not, and for the colours.
+/// Calls visit(number, bit, values, words) for each array of GlyphInstances, constant or not, and for the colors.
 template <class Instances, class Colours, class Visit>
 void ForEachArray(Instances& instances, Colours& colours, const Visit& visit)
 {

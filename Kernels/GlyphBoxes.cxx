@@ -18,7 +18,7 @@ namespace
 {
 
 // In single precision: what that loses, a few roundings of the glyph's own size, every box is widened by. Only what
-// lies between glyphs, their centres and ways, needs double.
+// lies between glyphs, their centers and paths, needs double.
 using HostShapes = shapes::Kernel<float>;
 constexpr float roundings = 1e-6f;
 
@@ -31,7 +31,7 @@ void SetArrow(typename shapes::Kernel<Real>::Glyph& glyph, const ArrowForm& arro
   glyph.unitLength = arrow.unitLength > 0.0f ? Real(arrow.unitLength) : glyph.size.y;
 }
 
-// The glyph with its centre at 0.
+// The glyph with its center at 0.
 HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
 {
   HostShapes::Glyph glyph;
@@ -74,7 +74,7 @@ glm::vec3 RoundUp(const glm::dvec3& values)
   return -RoundDown(-values);
 }
 
-// What the boxes are of: the glyphs, and of meshes what each is a copy of.
+// Subjects of the boxes: glyphs, and for meshes the mesh.
 struct Subject
 {
   Subject(const GlyphInstances& glyphs, double firstTime, double lastTime)
@@ -90,7 +90,7 @@ struct Subject
   DoubleBox form; ///< of the mesh
 };
 
-// The boxes of single glyphs are relative to their centres.
+// The boxes of single glyphs are relative to their centers.
 DoubleBox MeshBox(const DoubleBox& form, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
 {
   const glm::dvec3 middle = 0.5 * (form.lower + form.upper);
@@ -134,9 +134,9 @@ glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
   return glm::dvec4(a.w * v + b.w * u + glm::cross(u, v), a.w * b.w - glm::dot(u, v));
 }
 
-// Of a glyph that turns between two times: the boxes at the middles of so short pieces that in half of one no
-// point goes further than a fortieth of its distance from the centre (longer ones of fast turns), widened by the way it
-// goes.
+// For a glyph that rotates between two times: the boxes at the middles of so short pieces that in half of one no
+// point goes further than a fortieth of its distance from the center (longer ones of fast rotations), widened by the
+// distance it goes.
 DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double last)
 {
   const GlyphInstances& instances = subject.instances;
@@ -175,7 +175,7 @@ DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double 
   DoubleBox box = motion.Spins() ? SpunBox(subject, i, first, last) : StillBox(subject, i);
   if (motion.Spins())
   {
-    // What the device computes of a turn is right to 2^-20 of the glyph's reach (Programs/motion.glsl).
+    // The device's rotations are right to 2^-20 of the glyph's extent (Programs/motion.glsl).
     box = box.Widened(std::ldexp(glm::length(box.upper - box.lower), -18));
   }
   if (motion.Moves())
@@ -267,7 +267,7 @@ DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& siz
 {
   shapes::Kernel<double>::Glyph glyph{};
   glyph.size = size;
-  constexpr float unitForm[] = { 1.0f, 1.0f, 1.0f }; // a polynomial's that reaches as far as any may
+  constexpr float unitForm[] = { 1.0f, 1.0f, 1.0f }; // the largest polynomial's
   glyph.values = unitForm;
   SetArrow<double>(glyph, arrow);
   DoubleBox box;

@@ -184,7 +184,7 @@ void CheckColours(const GlyphInstances& instances, const GlyphColours& colours)
   if (!colours.table.empty() && colours.table.size() < 3)
   {
     Fail("the values at the ends of glyphs have a table of " + std::to_string(colours.table.size()) +
-      " colors; it must have 3 or more, the last two of which are those of what is no number and of what has no "
+      " colors; it must have 3 or more, the last two of which are those of NaN and of a missing "
       "value.");
   }
 }
@@ -279,7 +279,7 @@ void CheckImages(const PeriodicImages& images)
   }
   if (count > most)
   {
-    Fail(std::to_string(count) + " periodic images are asked for; a set can have " + std::to_string(most) +
+    Fail(std::to_string(count) + "periodic images exceed the limit; a set can have " + std::to_string(most) +
       " with those that only shade others.");
   }
 }

@@ -1,4 +1,4 @@
-// What a scene refuses: device programs would read past arrays, and boxes of what is no number hold nothing.
+// Input that a scene refuses: device programs would read past arrays, and boxes of NaN hold nothing.
 #pragma once
 
 #include "Glyphs.h"

@@ -63,12 +63,12 @@ public:
       std::uint64_t keys[mostGlyphs];
       for (std::size_t i = 0; i < count; ++i)
       {
-        // The low bits, of the index, only tell equal coordinates apart: so do places in the node.
+        // The low bits, of the index, only order equal coordinates; so do positions in the node.
         keys[i] = (entries[i].Key(axis) & ~std::uint64_t(0xff)) | i;
       }
       if (count <= fewGlyphs)
       {
-        // A glyph's place is the number of those before it, counted without branches that nobody can predict.
+        // A glyph's place is the number of those before it, counted without unpredictable branches.
         std::uint8_t places[fewGlyphs] = {};
         for (std::size_t i = 1; i < count; ++i)
         {

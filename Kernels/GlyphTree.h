@@ -8,7 +8,7 @@
 namespace rtg
 {
 
-/// A node of GlyphTree: the boxes of its eight children, quantised to 8 bits a plane relative to its own.
+/// A node of GlyphTree: the boxes of its eight children, quantized to 8 bits a plane relative to its own.
 /// After Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 /// High-Performance Graphics 2017, without pointers.
 ///
@@ -18,7 +18,7 @@ namespace rtg
 struct GlyphTreeNode
 {
   glm::vec3 origin;         ///< lower corner of the node's box
-  std::uint8_t exponent[3]; ///< biased by 127: plane = origin + 2^(exponent - 127) * quantised
+  std::uint8_t exponent[3]; ///< biased by 127: plane = origin + 2^(exponent - 127) * quantized
   std::uint8_t axes;        ///< of the three splits, 2 bits each, the first split's lowest
   /// [axis][0: lower, 1: upper][child]; lower > upper: no child.
   std::uint8_t planes[3][2][8];
@@ -58,7 +58,7 @@ struct GlyphTree
   static std::size_t LevelOffset(std::uint32_t level) { return ((std::size_t(1) << (3 * level)) - 1) / 7; }
 };
 
-/// The order in which the glyphs must lie for a tree of 2^leafBits leaves to be a kd tree over the centres of their
+/// The order in which the glyphs must lie for a tree of 2^leafBits leaves to be a kd tree over the centers of their
 /// boxes, and the axes of every node's splits, packed as GlyphTreeNode has them, node by node.
 struct KdOrder
 {
@@ -84,7 +84,7 @@ struct OrderedBoxes
   const std::uint32_t* order = nullptr;
 };
 
-/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an
+/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: measures how good an
 /// order is. Of very many leaves some ten thousand stand for all.
 double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits);
 

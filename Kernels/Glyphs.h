@@ -1,4 +1,4 @@
-// What a scene is made of, as plain host data: no Vulkan type and no VTK type in here.
+// Contents of a scene as plain host data, without types of Vulkan or VTK.
 #pragma once
 
 #include "Motion.h"
@@ -96,7 +96,7 @@ struct GlyphInstances
 {
   Shape shape = Shape::Sphere;
   ArrowForm arrow;
-  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, turned, and moved to its centre.
+  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, turned, and moved to its center.
   std::shared_ptr<const TriangleMesh> mesh;
   /// Shape::Mesh only: images name the triangle, not the glyph; for surfaces, which are a single glyph.
   bool identifyTriangles = false;
@@ -104,19 +104,19 @@ struct GlyphInstances
   /// World position that `centres` are relative to; chosen near the data, subtracted in double.
   glm::dvec3 origin{ 0.0 };
   std::vector<glm::vec3> centres;
-  /// What rounding to float left of each centre, or empty: for sets that extend so far that a float is not right to
-  /// 1e-6 of a glyph's size.
+  /// Low part of each center, lost by rounding to float, or empty: for sets that extend so far that a float is not
+  /// right to 1e-6 of a glyph's size.
   std::vector<glm::vec3> centresLow;
 
-  /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
+  /// World size of a unit glyph: full extents along its axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
   /// Every size is finite and > 0 (of the two diameters of a Shape::RoundCone one may be 0), or < 0 to mirror a
-  /// Shape::Mesh; degenerate glyphs are left out by whoever fills this.
+  /// Shape::Mesh; the caller leaves out degenerate glyphs.
   std::vector<glm::vec3> sizes3;
   std::vector<float> sizes1;
   float uniformSize = 1.0f;
 
-  /// Unit quaternions (x, y, z, w) that turn the unit form's frame to the world; empty: none is turned.
+  /// Unit quaternions (x, y, z, w) from the unit glyph's frame to the world; empty: none is rotated.
   std::vector<glm::vec4> rotations;
 
   /// Exponents of the shapes that have them (HasExponents): one vec3 a glyph, or empty
@@ -126,16 +126,15 @@ struct GlyphInstances
   glm::vec3 uniformExponents{ 2.0f };
 
   /// Coefficients f of a quadratic form in each glyph's own frame, of any scale, or empty. Where there are any, a point
-  /// at p from the glyph's centre, in its frame, has Material::positiveColour or negativeColour by the sign of f.x
-  /// p.x^2 + f.y p.y^2 + f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
+  /// at p from the glyph's center, in its frame, has Material::positiveColour or negativeColour by the sign of f.x
+  /// p.x^2 + f.y p.y^2 + f.z p.z^2, in place of the glyphs' colors; their opacity stays. Not for Shape::Mesh.
   std::vector<glm::vec3> forms;
 
-  /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that degree (2,
-  /// 4,
-  /// ..., 12). In units of a glyph's size its surface is at the distance |f| / 2 from the center.
+  /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that even degree,
+  /// 2 to 12. In units of a glyph's size its surface is at the distance |f| / 2 from the center.
   GlyphTuples polynomials;
   int polynomialDegree = 0;
-  /// What a point of a glyph's surface is coloured by, whatever the colours of the glyphs; their opacity stays.
+  /// Color rule of a point of a glyph's surface, in place of the glyphs' colors; their opacity stays.
   enum class SurfaceColours : std::uint32_t
   {
     None,
@@ -144,7 +143,7 @@ struct GlyphInstances
   };
   SurfaceColours surfaceColours = SurfaceColours::None;
 
-  /// In [0, 1], times Material::opacity and the alpha of colours; or empty.
+  /// In [0, 1], times Material::opacity and the alpha of colors; or empty.
   std::vector<float> opacities;
 
   /// Shape::RoundCone only: what a piece of a line meets at its end at -x and at +x, in its own frame
@@ -156,7 +155,7 @@ struct GlyphInstances
   std::size_t Count() const { return centres.size(); }
 };
 
-/// Whether some glyph is not opaque, whatever material and colours of glyphs say.
+/// Whether some glyph is not opaque, by arrays other than material and colors.
 inline bool IsTranslucent(const GlyphInstances& instances)
 {
   return std::any_of(
@@ -164,11 +163,11 @@ inline bool IsTranslucent(const GlyphInstances& instances)
     (instances.shape == Shape::Mesh && instances.mesh && IsTranslucent(*instances.mesh));
 }
 
-/// Colours of one set, RGBA8 with red in the lowest byte, or none for Material::colour.
+/// Colors of one set, RGBA8 with red in the lowest byte, or none for Material::colour.
 struct GlyphColours
 {
   /// One a glyph in the order of GlyphInstances, or empty. White leaves glyphs with GlyphInstances::forms the two
-  /// colours of those, and others those of GlyphInstances::surfaceColours.
+  /// colors of those, and others those of GlyphInstances::surfaceColours.
   std::vector<std::uint32_t> each;
   /// Shape::RoundCone: one at the ball at -x and one at the ball at +x of each glyph, linear between.
   /// Shape::Polynomial: one at its center and one at the distance of half its size from it, linear between. No others.
@@ -201,9 +200,9 @@ struct Section
 {
   enum class Faces : std::uint32_t
   {
-    Caps = 0, ///< glyphs and closed meshes that are cut are closed by flat faces in their colour; open meshes are not
-    Open = 1, ///< one looks into them
-    Whole = 2 ///< glyphs are left out by their centres, none is cut; surfaces (identifyTriangles) are Open
+    Caps = 0, ///< glyphs and closed meshes that are cut are closed by flat faces in their color; open meshes are not
+    Open = 1, ///< without caps
+    Whole = 2 ///< glyphs are left out by their centers, none is cut; surfaces (identifyTriangles) are Open
   };
   struct Plane
   {
@@ -214,7 +213,7 @@ struct Section
   std::vector<Plane> planes; ///< of the body, up to six; none: no cut
   bool keepsInside = false;  ///< of the body, else what is outside it
   Faces faces = Faces::Caps;
-  std::optional<glm::vec3> capColour; ///< instead of the glyphs' colours
+  std::optional<glm::vec3> capColour; ///< instead of the glyphs' colors
 
   bool operator==(const Section&) const = default;
 };
@@ -224,17 +223,17 @@ struct PeriodicImages
 {
   std::array<glm::dvec3, 3> edges{}; ///< of the box, world units
   glm::ivec3 shown{ 0 };             ///< images on either side along each edge, >= 0
-  glm::ivec3 lit{ 0 };               ///< likewise those that shade others, seen or not; at least as many
+  glm::ivec3 lit{ 0 };               ///< likewise those that shade others, visible or not; at least as many
 
   bool Any() const { return this->lit != glm::ivec3(0); }
   bool operator==(const PeriodicImages&) const = default;
 };
 
-/// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).
+/// ParaView's surface appearance. Colors are as the lookup table gives them (display-referred).
 struct Material
 {
-  glm::vec3 colour{ 1.0f };        ///< diffuse colour of glyphs without their own
-  glm::vec3 ambientColour{ 1.0f }; ///< ambient colour of glyphs without their own
+  glm::vec3 colour{ 1.0f };        ///< diffuse color of glyphs without their own
+  glm::vec3 ambientColour{ 1.0f }; ///< ambient color of glyphs without their own
   glm::vec3 specularColour{ 1.0f };
   glm::vec3 positiveColour{ 1.0f }; ///< where GlyphInstances::forms, or polynomials, are zero or more
   glm::vec3 negativeColour{ 1.0f }; ///< where they are less
@@ -242,8 +241,8 @@ struct Material
   float diffuse = 1.0f;             ///< [0, 1]
   float specular = 0.0f;            ///< [0, 1]
   float specularPower = 100.0f;     ///< [0, 128] as vtkProperty
-  float opacity = 1.0f;             ///< [0, 1]; times a glyph colour's alpha
-  bool lighting = true;             ///< false: the plain colour, as vtkProperty::LightingOff
+  float opacity = 1.0f;             ///< [0, 1]; times a glyph color's alpha
+  bool lighting = true;             ///< false: the plain color, as vtkProperty::LightingOff
 
   // Path tracing only, with vtkProperty's meaning; `specular` is then Burley's (0.5: glass, plastic), `ambient`
   // light that the surface gives off.
@@ -269,9 +268,9 @@ struct Light
     Positional = 2   ///< from `position`, with attenuation; a spot when coneAngle < 90
   };
   Kind kind = Kind::Headlight;
-  glm::vec3 colour{ 1.0f };         ///< diffuse colour times intensity
+  glm::vec3 colour{ 1.0f };         ///< diffuse color times intensity
   glm::dvec3 position{ 0.0 };       ///< Positional only
-  glm::vec3 direction{ 0, 0, -1 };  ///< unit, the way the light travels; Directional and spots
+  glm::vec3 direction{ 0, 0, -1 };  ///< unit, in which the light travels; Directional and spots
   glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic
   float coneAngle = 180.0f;         ///< half angle in degrees; 90 or more: no spot
   float exponent = 1.0f;            ///< spot fall-off

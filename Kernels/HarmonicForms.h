@@ -7,7 +7,7 @@
 namespace rtg
 {
 
-/// Real spherical harmonics of even bands l = 0, 2, ..., in each of which m goes from -l to l. K is the normalised
+/// Real spherical harmonics of even bands l = 0, 2, ..., in each of which m goes from -l to l. K is the normalized
 /// associated Legendre function sqrt((2l+1)/(4 pi) (l-|m|)!/(l+|m|)!) P_l^|m|(cos theta) with the Condon-Shortley phase
 /// (-1)^m, phi the azimuth from x to y; all are multiplied with sqrt(2) where m is not 0.
 enum class HarmonicsBasis : std::uint32_t

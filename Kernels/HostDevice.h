@@ -38,15 +38,15 @@ RTG_ARRAY(FloatImage, float, , 4)
 struct TreeRecord
 {
   RTG_ADDRESS(UintArray) nodes; // GlyphTreeNode
-  RTG_ADDRESS(UintArray) order; // slice by slice, the thing at each place, or none (specialised)
+  RTG_ADDRESS(UintArray) order; // slice by slice, the thing at each place, or none (specialized)
   uint levels;
   uint leafBits;
   uint sliceBits;
   uint nodesPerSlice;
 };
 
-// What programs are told of a set, or of one of the driver's structures of it (the custom index of its instance). Only
-// what the set's variants ask for means something.
+// The record of a set, or of one of the driver's structures of it (the custom index of its instance). Only
+// values of features that the set has are valid.
 struct GlyphSetRecord
 {
 #define RTG_FIELD(number, BIT, type, name, values, words) RTG_ADDRESS(type) name;
@@ -68,15 +68,15 @@ struct GlyphSetRecord
   uint glyphCount;
   uint translucent;                   // belongs to the translucent pass
   uint mask;                          // one bit of instance masks
-  uint coloured;                      // glyphs have colours of their own, also in ambient light
-  RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialised
+  uint coloured;                      // glyphs have colors of their own, also in ambient light
+  RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialized
   uint colourTableSize;
   float coatReflectance; // of the coat at normal incidence
   // Of mesh glyphs, with positions relative to the middle of the mesh
   RTG_ADDRESS(Vec3Array) meshPositions;
   RTG_ADDRESS(UintArray) meshTriangles;  // three a triangle
-  RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialised, as velocities and accelerations
-  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialised)
+  RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialized, as velocities and accelerations
+  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialized)
   RTG_ADDRESS(Vec3Array) meshVelocities; // MeshTree.h
   RTG_ADDRESS(Vec3Array) meshAccelerations;
   uint meshValueCount; // values of positions, behind which the table lies
@@ -92,7 +92,7 @@ struct GlyphSetRecord
   uint sectionPlanes;
   uint sectionKeepsInside; // of the body, else what is outside it
   uint sectionFaces;       // rtg::Section::Faces
-  uint sectionColours;     // caps have the colour
+  uint sectionColours;     // caps have the color
   vec3 sectionColour;
 };
 
@@ -126,14 +126,14 @@ struct ProbeResult
   uint glyph;
 };
 
-// What a pixel has gathered, when samples will be added later.
+// A pixel's sums, when samples will be added later.
 struct PixelSums
 {
-  vec3 colour;    // of the samples that hit: colour times opacity, as a sum of two floats
+  vec3 colour;    // of the samples that hit: color times opacity, as a sum of two floats
   vec3 colourLow; // what rounding has left of it
   float opacity;  // likewise
   float opacityLow;
-  float depth; // view depth of the nearest sample that hit; of the centre's, negated, if that hit
+  float depth; // view depth of the nearest sample that hit; of the center's, negated, if that hit
 };
 
 // Sums of what the samples' camera rays hit, for denoising and scripts.
@@ -164,7 +164,7 @@ const uint UNSEEN_OPAQUE_MASK = 4u;
 const uint UNSEEN_TRANSLUCENT_MASK = 8u;
 const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSEEN_TRANSLUCENT_MASK;
 
-// Layers of translucent surfaces that one traversal gathers at most, and the share of light below which what shines
+// Layers of translucent surfaces that one traversal gathers at most, and the fraction of light below which what shines
 // through them is left out: half a level of a display's 255.
 const uint LAYER_CAPACITY = 24u;
 const float LEAST_PASSING = 1.0f / 512.0f;
@@ -180,7 +180,7 @@ const uint FEW_LIGHTS = 8u;
 // lie above -1000.
 const float LEAST_NUMBER = -2e3f, LEAST_VALUE = -1e10f;
 
-// What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
+// Input of a dispatch. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord
 {
@@ -206,7 +206,7 @@ struct FrameRecord
   vec3 forward;
   vec3 right;
   vec3 up;
-  vec3 viewPosition; // where specular highlights are seen from
+  vec3 viewPosition; // the eye, for specular highlights
   vec3 viewAxis;     // unit, towards the viewer
   float nearDepth;
   float farDepth;
@@ -248,7 +248,7 @@ struct FrameRecord
   // The ground (Shading/Ground.glsl)
   vec3 groundNormal;  // unit
   float groundHeight; // along it, relative to the scene's origin
-  vec3 groundSky;     // light from all around that arrives there, as that of the sky's mean radiance
+  vec3 groundSky;     // environment light on it, as that of the sky's mean radiance
   uint branches;      // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
   // An environment image (Shading/Environment.glsl), when the program has one
@@ -256,16 +256,16 @@ struct FrameRecord
   RTG_ADDRESS(UintArray) environmentCells; // EnvironmentCell
   uvec2 environmentSize;
   uint environmentCellSide;
-  uint environmentCellColumns; // 0: nothing to aim at
+  uint environmentCellColumns; // 0: nothing to sample
   uint environmentCellRows;
   float environmentThreshold;
   vec3 environmentRight;
   vec3 environmentUp;
   // Resolving
-  uint develops; // colours change on their way to the display
+  uint develops; // tone mapping changes colors
   float exposureFactor;
   uint toneMapping; // rtg::ToneMapping
-  // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
+  // Data that all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
   LightRecord fewLights[FEW_LIGHTS];
   GlyphSetRecord onlySet; // last: behind it C++ has padding that the device has not
 };

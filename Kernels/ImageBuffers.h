@@ -1,4 +1,4 @@
-// An image on the device, and what the host sees of it.
+// An image on the device, and its copy on the host.
 #pragma once
 
 #include "HostDevice.h"
@@ -24,11 +24,11 @@ public:
   /// Sums, where there are any, of samples that all hit nothing.
   void ClearSums();
 
-  /// Tells programs where they are.
+  /// Writes their addresses into the frame's record.
   void Fill(device::FrameRecord& frame) const;
 
-  /// Lets the image point at its pixels, where the host can read them. Those of other shares are nothing to see,
-  /// whatever the device's image has there.
+  /// Lets the image point at its pixels, where the host can read them. Those of other parts are invisible,
+  /// even if the device's image has them.
   void Show(Image& image, const Tiling& tiling);
 
   void FillFeatures(Image& image) const;
@@ -42,8 +42,8 @@ private:
   std::size_t pixels_ = 0, width_ = 0;
   Buffer words_;                          ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
   Buffer shown_;                          ///< a copy of them for the host, none on a device that shares its memory
-  std::vector<std::uint32_t> shareShown_; ///< likewise, of a share of the image
-  Buffer sums_, features_;                ///< none unless asked for
+  std::vector<std::uint32_t> shareShown_; ///< likewise, of a part of the image
+  Buffer sums_, features_;                ///< none unless requested
 };
 
 } // namespace rtg

@@ -65,7 +65,7 @@ double Launcher::NextSamples(std::uint32_t samples, double longest)
   return samples * std::min(8.0, launchSeconds / std::max(longest, 1e-9));
 }
 
-// Of the `left` tiles those of the next launch, as far as the program's launches so far tell: at most eight times as
+// Of the `left` tiles those of the next launch, by the measured cost of the program's launches: at most eight times as
 // many as in the last one, because costs differ, and eight in the first.
 std::uint32_t Launcher::TilesAtOnce(
   const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const

@@ -14,7 +14,7 @@ namespace rtg
 bool Deforms(const TriangleMesh& mesh);
 
 /// A box round all corners of triangles between two times, in the mesh's frame; without rounding of the device's
-/// arithmetic, which may displace corners by a few ulps of their way.
+/// arithmetic, which may displace corners by a few ulps of their displacement.
 DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);
 
 /// A mesh's positions relative to its middle.

@@ -38,7 +38,7 @@ DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, dou
   DoubleBox range{ glm::min(start, end), glm::max(start, end) };
   if (motion.accelerations.empty() || motion.velocities.empty())
   {
-    // Without velocity the parabola turns at time 0.
+    // Without velocity the parabola's apex is at time 0.
     if (!motion.accelerations.empty() && first < 0.0 && last > 0.0)
     {
       range.Include({ glm::dvec3(0.0), glm::dvec3(0.0) });
@@ -49,7 +49,7 @@ DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, dou
   {
     const double v = motion.velocities[glyph][axis];
     const double a = motion.accelerations[glyph][axis];
-    const double turning = -v / a; // not finite, and so outside, when it never turns
+    const double turning = -v / a; // not finite, and so outside, without an apex
     if (turning > first && turning < last)
     {
       const double extreme = 0.5 * v * turning;

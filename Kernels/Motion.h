@@ -8,8 +8,8 @@
 namespace rtg
 {
 
-/// Motion of one set's glyphs. A glyph whose centre is x at time 0 is at x + v t + a t^2 / 2 at time t; an angular
-/// velocity w turns it about its centre by |w| t round w's direction, after its own rotation. One light path sees the
+/// Motion of one set's glyphs. A glyph whose center is x at time 0 is at x + v t + a t^2 / 2 at time t; an angular
+/// velocity w rotates it about its center by |w| t round w's direction, after its own rotation. One light path sees the
 /// whole scene at one time; times are spread evenly over the shutter's opening. Arrays that a set does not need stay
 /// empty; a set without any is at rest and costs nothing.
 struct GlyphMotion
@@ -17,7 +17,7 @@ struct GlyphMotion
   std::vector<glm::vec3> velocities;        ///< world units per time, one a glyph
   std::vector<glm::vec3> accelerations;     ///< world units per time squared, one a glyph
   std::vector<glm::vec3> angularVelocities; ///< radians per time, world frame, one a glyph
-  /// When the shutter opens and closes, relative to the time of the centres: open < close, both finite.
+  /// When the shutter opens and closes, relative to the time of the centers: open < close, both finite.
   float shutterOpen = -0.5f;
   float shutterClose = 0.5f;
 
@@ -42,13 +42,13 @@ struct GlyphMotion
 
   /// x(t) - x(0).
   glm::dvec3 Displacement(std::size_t glyph, double time) const;
-  /// Unit quaternion (x, y, z, w) of the turn since time 0.
+  /// Unit quaternion (x, y, z, w) of the rotation since time 0.
   glm::dvec4 Turn(std::size_t glyph, double time) const;
 };
 
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.
 DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
-/// The same, with what the device's arithmetic in float may add to the way: a few ulps of its terms.
+/// The same, with the rounding of the device's arithmetic in float: a few ulps of its terms.
 DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 
 /// Throws rtg::Error unless the arrays fit `count` glyphs and all is finite.

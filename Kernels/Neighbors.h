@@ -1,4 +1,4 @@
-// Glyphs and triangles that another process needs because they lie near its own, as bytes for the way there.
+// Glyphs and triangles that another process needs because they lie near its own, serialized.
 #pragma once
 
 #include "Box.h"
@@ -14,7 +14,7 @@ namespace rtg
 std::vector<char> PackNear(
   const GlyphInstances& instances, const GlyphColours& colours, const std::vector<Box>& boxes, const DoubleBox& region);
 
-/// What PackNear() has packed. Throws rtg::Error where the bytes end too early.
+/// Unpacks PackNear()'s bytes. Throws rtg::Error where the bytes end too early.
 void Unpack(const std::vector<char>& bytes, GlyphInstances& instances, GlyphColours& colours);
 
 /// A box round all glyphs of a set, in world coordinates; `boxes` as above.

@@ -138,7 +138,7 @@ private:
     }
   }
 
-  // Nobody joins it any more. The mutex is held.
+  // Closed: no thread may join. The mutex is held.
   void Close(Loop& loop)
   {
     this->open_.erase(std::remove(this->open_.begin(), this->open_.end(), &loop), this->open_.end());

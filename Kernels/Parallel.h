@@ -35,7 +35,7 @@ void ParallelChunks(std::size_t count, Work&& work)
     [&](std::size_t chunk) { work(chunk * parallelChunk, std::min(count, (chunk + 1) * parallelChunk)); });
 }
 
-/// Both; at the same time when asked.
+/// Both; at the same time if requested.
 template <class Left, class Right>
 void ParallelInvoke(bool parallel, Left&& left, Right&& right)
 {
@@ -48,8 +48,8 @@ void ParallelInvoke(bool parallel, Left&& left, Right&& right)
   right();
 }
 
-/// Starts the task on a thread that is nobody else's until it is done. It must not throw; a packaged one may. Its
-/// future does not wait when it is dropped, as that of std::async does: whoever holds it waits before what the task
+/// Starts the task on a thread of its own until it is done. It must not throw; a packaged one may. Its
+/// future does not wait when it is dropped, as that of std::async does: its holder waits before what the task
 /// uses goes away.
 void RunInBackground(std::function<void()> task);
 template <class Result>

@@ -66,7 +66,7 @@ template <int Axis>
 void Select(PartitionEntry* first, PartitionEntry* middle, PartitionEntry* last)
 {
   constexpr std::ptrdiff_t few = 256;
-  // Where samples fail again and again, on points in an unlucky order, the library's way is left.
+  // Where samples fail again and again, on points in an unlucky order, the library's algorithm is left.
   for (int tries = 0; last - first > few && tries < 64; ++tries)
   {
     const double count = double(last - first), below = double(middle - first);

@@ -1,4 +1,4 @@
-// The steps that spatial sorts share.
+// Steps common to spatial sorts.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,8 +10,8 @@
 namespace rtg
 {
 
-/// A point on its way through a sort, and where it was before. Coordinates are held as integers of the same order, so
-/// that one comparison of 64 bits also tells apart points with the same coordinate: what a sort does then depends on
+/// A point during a sort, and its index before. Coordinates are held as integers of the same order, so
+/// that one comparison of 64 bits also orders points with the same coordinate: what a sort does then depends on
 /// nothing but the points, which are finite, and many equal ones cost it no more than others.
 struct PartitionEntry
 {

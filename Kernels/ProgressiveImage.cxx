@@ -13,7 +13,7 @@ namespace rtg
 namespace
 {
 
-constexpr std::uint32_t firstPreviewStep = 8; ///< of one that tells what a ray costs
+constexpr std::uint32_t firstPreviewStep = 8; ///< of one that measures the cost of a ray
 constexpr std::uint32_t coarsestPreviewStep = 64;
 
 std::size_t Pixels(const ImageView& view)
@@ -96,7 +96,7 @@ ProgressiveImage::~ProgressiveImage()
   this->StopSmoothing();
 }
 
-// What it was for is not shown any more.
+// The image is no longer shown.
 void ProgressiveImage::StopSmoothing()
 {
   if (this->smoothing_.valid())
@@ -236,7 +236,7 @@ void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, 
   this->failedBytes_ = request.source.HeldBytes();
 }
 
-// No launch is without a share of the work.
+// Each launch has some of the work.
 bool ProgressiveImage::WaitsForProgram(const Image& image)
 {
   this->compiling_ = !image.complete && image.share <= 0.0f;
@@ -276,7 +276,7 @@ void ProgressiveImage::Preview(const Request& request)
   settings.shading = Shading::Local;
   settings.shadows = false;
   settings.plannedSamples = this->planned_;
-  // It is quick: each process that traces a share of the image traces all of it.
+  // It is quick: each process that traces a part of the image traces all of it.
   settings.share = 0;
   settings.shares = 1;
   const auto affordable = [&](double time)
@@ -470,7 +470,7 @@ void ProgressiveImage::Smooth(const Request& request)
   }
 }
 
-// Whoever looks at an image may want to see it in another light.
+// The user may switch to another shading mode.
 void ProgressiveImage::ExpectOtherLight(const Request& request)
 {
   if (!request.IsTimed() || this->samples_ == 0)

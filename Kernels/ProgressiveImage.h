@@ -1,5 +1,5 @@
-// One image that grows while somebody watches, or is traced at once: what it shows, how far it is, whether it can be
-// continued, and what it failed of. Nobody else decides these.
+// One image that is refined, or traced at once: its pixels, its progress, whether it can be
+// continued, and its failure. Only this class decides these.
 #pragma once
 
 #include "Tracer.h"
@@ -15,7 +15,7 @@
 namespace rtg
 {
 
-/// What an image shows. Images of equal views with the same number of samples are the same.
+/// Everything that determines an image. Images of equal views with the same number of samples are the same.
 struct ImageView
 {
   Camera camera;
@@ -47,7 +47,7 @@ struct ImageEffort
   double seconds = 0.0;            ///< that one Update() may take, but for a launch; 0: no limit
   double firstSeconds = 0.0;       ///< likewise, where there was nothing to see of the image; at least `seconds`
   bool preview = false;            ///< the camera moves: a preview will do
-  std::uint32_t pixelStep = 2; ///< pixels of the image a pixel of a preview, along a side, >= 1; time may ask for more
+  std::uint32_t pixelStep = 2; ///< pixels of the image a pixel of a preview, along a side, >= 1; more if time is short
   /// True: the finished image has exactly `samples`, spread as for that number. False: more are as good, and a larger
   /// number is added to what is there.
   bool exact = true;
@@ -58,7 +58,7 @@ struct ImageEffort
 /// Whether what is shown of such an image has less noise than its samples, which only whole images can be given.
 bool Denoises(const ImageView& view, const ImageEffort& effort);
 
-/// What traces for a ProgressiveImage: a Tracer and its Scene, or a stand-in in tests.
+/// Traces for a ProgressiveImage: a Tracer and its Scene, or a stand-in in tests.
 class ImageSource
 {
 public:
@@ -93,7 +93,7 @@ class ProgressiveImage
 public:
   enum class State
   {
-    Empty,    ///< nothing was asked for yet, or all was forgotten
+    Empty,    ///< no image was requested yet, or all was forgotten
     Growing,  ///< more samples are to come
     Finished, ///< it has all samples that the last effort wanted
     Failed    ///< there is none; see Failure
@@ -119,7 +119,7 @@ public:
   ProgressiveImage& operator=(const ProgressiveImage&) = delete;
 
   /// Makes the image of this view, or makes it better. Null: it failed, see GetFailure(). The image, of which there is
-  /// nothing unless HasPicture(), is valid until the next call. `interrupt` is told the progress of the image, as
+  /// nothing unless HasPicture(), is valid until the next call. `interrupt` gets the progress of the image, as
   /// Progress(), and ends the work early; the next call goes on with it. Throws nothing.
   const Image*
   Update(ImageSource& source, const ImageView& view, const ImageEffort& effort, const Interrupt& interrupt = {});
@@ -135,7 +135,7 @@ public:
   double Progress() const;
   /// Grows whenever the pixels of the image change.
   std::uint64_t Version() const { return this->version_; }
-  /// What the image shows, and whether it shows it in full resolution.
+  /// The image's view, and whether it has full resolution.
   const ImageView& View() const { return this->view_; }
   bool IsComplete() const { return this->samples_ > 0; }
   /// The last Update() found that the program it needs is still being compiled.
@@ -166,12 +166,12 @@ private:
   bool compiling_ = false, hasPicture_ = false;
   bool onlyLightChanged_ = false; ///< since there was a picture
   std::uint64_t version_ = 0;
-  std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last asked
+  std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last requested
   std::uint32_t planned_ = 1;        ///< likewise, when the first sample was traced
   std::uint32_t samples_ = 0;        ///< that all pixels have
   std::uint32_t previewStep_ = 0;    ///< of the preview that is there; 0: none
   bool pending_ = false;             ///< the tracer was interrupted, and goes on by Resume()
-  std::uint32_t pendingSamples_ = 0; ///< that it was asked for
+  std::uint32_t pendingSamples_ = 0; ///< as requested
   double pendingShare_ = 0.0;        ///< of them that is traced
   double pendingSeconds_ = 0.0;      ///< that this took
   bool canContinue_ = false;         ///< the tracer keeps the sums of samples_
@@ -186,7 +186,7 @@ private:
   std::stop_source stopOfSmoothing_;
   std::uint32_t smoothingSamples_ = 0;
 
-  // What failed, for MayTryAgain().
+  // The last failure, for MayTryAgain().
   ImageView failedView_;
   std::uint32_t failedSamples_ = 0;
   std::uint64_t failedBytes_ = 0;

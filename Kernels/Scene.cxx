@@ -127,7 +127,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   set.instancesChanged = true;
   set.measured = false;
   set.boxes = {};
-  // Colours are by glyph: those of the old glyphs mean nothing now.
+  // Colors are by glyph: those of the old glyphs mean nothing now.
   set.colours = {};
   set.coloursChanged = true;
   set.translucentColours = false;
@@ -187,7 +187,7 @@ std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
   if (!order.empty() && glyph >= order.size())
   {
     throw Error("Ray Traced Glyphs: glyph " + std::to_string(glyph) + " of a set of " + std::to_string(order.size()) +
-      " is asked for; render again.");
+      " is needed; render again.");
   }
   return order.empty() ? glyph : order[glyph];
 }
@@ -309,7 +309,7 @@ void Scene::Commit(const std::function<void(double)>& progress)
     [&]
     {
       Batch batch(vulkan);
-      // What is in the batch is not on the device before that has run.
+      // The batch's data are on the device after it has run.
       std::vector<GlyphSet*> sent;
       try
       {

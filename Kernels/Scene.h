@@ -12,16 +12,16 @@ namespace rtg
 
 class Device;
 
-/// What was done and what is held; every count only grows. Seconds are wall-clock.
+/// Work done and memory held; every count only grows. Seconds are wall-clock.
 struct Statistics
 {
   std::uint64_t structureBuilds = 0; ///< trees, or bottom-level structures of the driver, built
   std::uint64_t topLevelBuilds = 0;  ///< lists of the visible sets, or top-level structures of the driver, built
-  std::uint64_t instanceUploads = 0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
-  std::uint64_t colourUploads = 0;   ///< glyph sets whose colours were sent
+  std::uint64_t instanceUploads = 0; ///< glyph sets whose centers, sizes, rotations, exponents were sent
+  std::uint64_t colourUploads = 0;   ///< glyph sets whose colors were sent
   std::uint64_t sorts = 0;           ///< glyph sets put into another order; new instances may do with the last one's
   std::uint64_t programsAhead = 0;   ///< that are still to be compiled ahead on the device
-  std::uint64_t pipelineBuilds = 0;  ///< programs that were compiled for these tracers: those of others they share
+  std::uint64_t pipelineBuilds = 0;  ///< programs compiled for these tracers, without those of others that they use
   std::uint64_t dispatches = 0;      ///< images or sample batches traced
   std::uint64_t primaryRays = 0;
   std::uint64_t deviceBytes = 0; ///< held now, not a running count
@@ -36,7 +36,7 @@ struct Statistics
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.
-/// Setters only take note; Commit() sends and builds what has changed and nothing else. A set that is not visible holds
+/// Setters only record; Commit() uploads and builds what has changed and nothing else. A set that is not visible holds
 /// no memory of the device. A Commit() that throws leaves the scene empty to tracers; the next one goes on where it
 /// stopped. Not thread-safe. All members throw rtg::Error and nothing else.
 class Scene
@@ -65,11 +65,11 @@ public:
   const GlyphInstances& InstancesOf(SetId id) const;
   /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it, of an image of these instances.
   std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;
-  /// True when some visible set has opacity below one, or colours with alpha below 255.
+  /// True when some visible set has opacity below one, or colors with alpha below 255.
   bool HasTranslucent() const;
   bool HasOpaque() const;
 
-  /// `progress` is told the share of the work that is done, in [0, 1], after each of its stages.
+  /// `progress` gets the fraction of the work done, in [0, 1], after each stage.
   void Commit(const std::function<void(double share)>& progress = {});
 
   const Statistics& GetStatistics() const;

@@ -23,7 +23,7 @@ vk::AabbPositionsKHR ToVulkan(const Box& box)
 constexpr std::size_t glyphsPerLeaf = 2;
 // From so many leaves met by a line on average, rays find so soon what stops them that dropping what lies behind pays.
 constexpr double leavesWorthDropping = 20.0;
-// What a glyph takes of lavapipe's structure; those of GPUs are smaller.
+// Bytes of a glyph in lavapipe's structure; those of GPUs are smaller.
 constexpr std::size_t bytesPerBox = 88;
 
 } // namespace
@@ -38,7 +38,7 @@ PlacedTree::PlacedTree(Device::State& device, const GlyphTree& tree)
 
 void Scene::State::Place(GlyphSet& set, float reach)
 {
-  // What is there is not shown any more, and a large set may not fit twice. Only a mesh may be wanted again.
+  // The old arrays are not shown any more, and a large set may not fit twice. Only a mesh may be used again.
   PlacedMesh mesh = this->Withdraw(set).mesh;
   Stopwatch watch;
   // Those of Measure(), unless old instances are placed anew.

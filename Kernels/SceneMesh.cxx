@@ -121,7 +121,7 @@ void Scene::State::UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh)
   }
 }
 
-// The same mesh at other places is sent once, and of one that has only other colours nothing but these.
+// The same mesh at other places is sent once, and of one that has only other colors nothing but these.
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;
@@ -131,7 +131,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   const bool hasTree = this->NeedsMeshTree(set);
   PlacedMesh& sent = placed.mesh;
   const std::shared_ptr<const TriangleMesh> before = sent.source;
-  // Positions at rest are the same whatever the shutter does.
+  // Positions at rest do not depend on the shutter.
   const bool sameShutter =
     !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
   const bool keeps = (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && HasShapeOf(sent, wanted);

@@ -1,4 +1,4 @@
-// The part of a scene that places its sets beside each other, and tells the device's programs about each.
+// The part of a scene that places its sets beside each other, and writes the record of each.
 #include "SceneState.h"
 
 #include "Frame.h"
@@ -14,7 +14,7 @@ namespace rtg
 namespace
 {
 
-// Share of light that a surface of that refractive index reflects straight back (Fresnel).
+// Fraction of light that a surface of that refractive index reflects straight back (Fresnel).
 float NormalReflectance(float ior)
 {
   const float root = (ior - 1.0f) / (ior + 1.0f);
@@ -70,7 +70,7 @@ void Scene::State::BuildTopLevels()
   this->statistics.buildSeconds += watch.Lap();
 }
 
-// What the visible sets have in common and what tells them apart.
+// Features that all visible sets have, and those that some have.
 void Scene::State::ListSets()
 {
   this->bounds = Box();
@@ -160,7 +160,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
   return instances;
 }
 
-// What the record says of a cut, whose planes are added to those of others.
+// The record's values of a cut, whose planes are added to those of others.
 void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const
 {
   const Section& section = set.material.section;
@@ -204,7 +204,7 @@ void Scene::State::FillRecords()
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
-      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres: a
+      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centers: a
       // compiler may load it, for the first glyph (InSet in bindings.glsl), and drop it.
       const vk::DeviceAddress anything = placed.arrays[0].Address() + run.first * sizeof(glm::vec3);
       const auto at = [&](const Buffer& buffer, std::size_t stride)

@@ -21,7 +21,7 @@
 namespace rtg
 {
 
-/// Glyphs of a set that share a record: all of them, or what one of the driver's bottom-level structures may hold.
+/// Glyphs of a set with one record: all of them, or what one of the driver's bottom-level structures may hold.
 struct GlyphRun
 {
   std::uint32_t first = 0;
@@ -29,14 +29,14 @@ struct GlyphRun
   std::vector<AccelerationStructure> structures; ///< of the driver: one for each slice of time
 };
 
-/// What rays find glyphs and triangles by.
+/// The BVH that rays traverse.
 enum class Structure
 {
   Boxes, ///< the driver's, one primitive a glyph or triangle, by ray queries; on GPUs with hardware for it
-  Tree   ///< our own trees (GlyphTree); on all other devices
+  Tree   ///< the plugin's BVH (GlyphTree); on all other devices
 };
 
-/// What tells a set from others, and its programs: bits of Variants.h.
+/// Features of a set and its programs: bits of Variants.h.
 struct Variants
 {
   std::uint32_t bits = 0;
@@ -69,17 +69,17 @@ struct PlacedMesh
   AccelerationStructure structure; ///< of the driver, or instead of it:
   PlacedTree tree;
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
-  std::optional<bool> closed;                    ///< IsClosed() of the source, when it was asked for
+  std::optional<bool> closed;                    ///< IsClosed() of the source, once computed
 };
 
-/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats
-/// cannot tell: then the driver's triangles will not do.
+/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie where the driver's floats are too
+/// coarse: then they need a BVH of their own.
 bool IsMovingMesh(const GlyphInstances& instances);
 
 /// Whether triangles bound a body: each edge, by the places of its ends, is one of an even number of triangles.
 bool IsClosed(const TriangleMesh& mesh);
 
-/// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
+/// A glyph set's arrays on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
 /// complete, so that a set has all of it or nothing.
 struct PlacedGlyphs
 {
@@ -104,7 +104,7 @@ struct GlyphOrder
   double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
 };
 
-/// One glyph set: what was asked for, in the caller's order, and what of it is on the device.
+/// One glyph set: the caller's data in its order, and its arrays on the device.
 struct GlyphSet
 {
   GlyphInstances instances;
@@ -130,7 +130,7 @@ struct GlyphSet
   std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
 
   bool Shown() const { return this->visible && this->count > 0; }
-  /// Whether the driver knows the triangles of what is placed.
+  /// Whether the driver has the triangles of what is placed.
   bool DriverTriangles() const { return this->placed.mesh.structure.Address() != 0; }
   bool Translucent() const
   {
@@ -167,7 +167,7 @@ struct Scene::State
   std::shared_ptr<Device> device;
   std::map<SetId, GlyphSet> sets;
   SetId nextId = 0;
-  /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
+  /// Most AABBs of a bottom-level structure; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
   /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.

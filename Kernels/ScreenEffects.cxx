@@ -14,8 +14,8 @@ namespace rtg
 namespace
 {
 
-// From this angle between two surfaces on, in degrees, their edge is a crease. Either turns by less than this part of
-// it from pixel to pixel: thin cylinders have none.
+// From this angle between two surfaces on, in degrees, their edge is a crease. Either bends by less than this fraction
+// of it from pixel to pixel: thin cylinders have none.
 constexpr double creaseAngle = 40.0, flatness = 0.25;
 // By how many pixels a depth must be off what its neighbors on either side lead to, to be a step.
 constexpr double leastStep = 2.0;
@@ -82,7 +82,7 @@ public:
     {
       return true;
     }
-    // The edge may lie in a pixel that both pairs have: the first one, which does not turn, has no line.
+    // The edge may lie in a pixel that both pairs have: the first one, which does not bend, has no line.
     const double turn = Turn(*before, *behind);
     if (turn < glm::radians(creaseAngle) || Turn(*before, between) < 0.1 * turn)
     {

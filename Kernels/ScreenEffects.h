@@ -9,7 +9,7 @@
 namespace rtg
 {
 
-/// What is done to the pixels of an image once it has been traced.
+/// Effects on the pixels of a traced image.
 struct ScreenEffects
 {
   float outlineWidth = 0.0f;              ///< pixels, in [0, 64]; 0: no lines

@@ -20,7 +20,7 @@ struct SymmetricTensor
 };
 
 /// The vector w with (A - A^T) / 2 x = w cross x, of nine numbers row by row. The tensor of a velocity
-/// gradient (row i, column j: d v_i / d x_j) turns about w at |w| radians a unit of time.
+/// gradient (row i, column j: d v_i / d x_j) rotates about w at |w| radians a unit of time.
 glm::dvec3 AntisymmetricAxis(const double* matrix);
 
 struct Eigensystem
@@ -84,7 +84,7 @@ struct TensorGlyph
   glm::dvec3 exponents{ 1.0 };               ///< alpha, beta, c
 };
 
-/// Of a glyph's half-lengths none may be a lesser share of its largest: below it the shapes are not tested.
+/// Smallest ratio of a glyph's half-lengths to its largest: below it the shapes are not tested.
 constexpr double thinnestTensorGlyph = 1e-3;
 
 /// No exponent is less than this: a superquadric's edges have at least about this radius.
@@ -92,7 +92,7 @@ constexpr double leastTensorExponent = 0.01;
 
 /// The glyph of a finite tensor that is not zero. Below `noise`, in units of the eigenvalues, exponents go
 /// smoothly to those of a ball: there the ratios of eigenvalues mean nothing any more. No half-length is less than
-/// the share `thinnest` of the largest: where an eigenvalue is zero the glyph is thin but there.
+/// the fraction `thinnest` of the largest: where an eigenvalue is zero the glyph is thin but visible.
 TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise = 0.0,
   double thinnest = thinnestTensorGlyph);
 

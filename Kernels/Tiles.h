@@ -44,7 +44,7 @@ struct LaunchGrid
 };
 
 /// The tiles of an image in the order in which they are traced, neighbors in it being far apart in the image, and those
-/// of the share that is traced.
+/// of the part that is traced.
 class Tiling
 {
 public:
@@ -52,10 +52,10 @@ public:
   /// For an image of at least one pixel.
   explicit Tiling(const TraceSettings& settings);
 
-  std::uint32_t Begin() const { return this->begin_; } ///< number of the share's first tile
+  std::uint32_t Begin() const { return this->begin_; } ///< number of the part's first tile
   std::uint32_t End() const { return this->end_; }     ///< one more than that of its last
   std::uint32_t Size() const { return this->end_ - this->begin_; }
-  bool IsWhole() const { return this->Size() == this->count_; } ///< the share is all of the image
+  bool IsWhole() const { return this->Size() == this->count_; } ///< the part is all of the image
   std::size_t Rays() const { return this->rays_; }              ///< camera rays of one sample
 
   struct Rectangle
@@ -64,7 +64,7 @@ public:
   };
   Rectangle PixelsOf(std::uint32_t number) const;
 
-  /// Tells programs, and makes the first tile of the share the next.
+  /// Writes the frame's record, and makes the first tile of the part the next.
   void Fill(device::FrameRecord& frame) const;
 
 private:

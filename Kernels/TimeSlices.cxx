@@ -28,7 +28,7 @@ std::uint32_t ChooseSliceBits(std::size_t count, std::size_t bytesPerSlice,
 {
   constexpr std::size_t mostBytes = std::size_t(1) << 29;
   constexpr double mostGrowth = 2.0;
-  // Some thousand things tell what all are like.
+  // Some thousand glyphs are a sufficient sample.
   const std::size_t step = std::max<std::size_t>(1, count / 4096);
   std::uint32_t bits = 0;
   for (; bits < maxTimeSliceBits && (bytesPerSlice << (bits + 1)) <= mostBytes; ++bits)

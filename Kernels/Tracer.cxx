@@ -21,7 +21,7 @@ namespace
 
 using Usage = vk::BufferUsageFlagBits;
 
-/// After so long whoever waits for a program is asked whether to go on waiting.
+/// Interval at which a wait for a program calls the interrupt callback.
 constexpr std::chrono::milliseconds compilingPatience(20);
 
 } // namespace
@@ -162,7 +162,7 @@ Specialization Tracer::State::SpecializationOf(
   return specialization;
 }
 
-// What is to be launched for an image; nothing is launched yet.
+// Prepares the launches of an image; nothing is launched yet.
 void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
 {
@@ -203,7 +203,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.done = begun.tiling.Size() > 0 ? 0 : settings.samples;
 }
 
-// Goes on with the job until it is done or somebody interrupts; after each launch one is asked.
+// Goes on with the job until it is done or the interrupt callback stops it, called after each launch.
 void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
 {
   Job& work = this->job;
@@ -331,7 +331,7 @@ std::vector<glm::vec4> Tracer::Means() const
   const std::uint32_t samples = state.job.KeptSamples();
   if (samples == 0)
   {
-    throw Error("Ray Traced Glyphs: means are asked of an image that was traced without keepSums.");
+    throw Error("Ray Traced Glyphs: Means() needs an image that was traced with keepSums.");
   }
   return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(samples); });
 }
@@ -342,7 +342,7 @@ DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
   task.means_ = this->Means();
   if (image.normals.size() != task.means_.size())
   {
-    throw Error("Ray Traced Glyphs: an image is to be denoised that was traced without features.");
+    throw Error("Ray Traced Glyphs: denoising needs an image that was traced with features.");
   }
   task.image_ = image;
   task.settings_ = this->state_->job.settings;

@@ -20,34 +20,34 @@ namespace rtg
 struct Image
 {
   std::uint32_t width = 0, height = 0;
-  /// RGBA8, straight (not premultiplied): the mean colour of the samples that hit, weighted by their opacity, and in
+  /// RGBA8, straight (not premultiplied): the mean color of the samples that hit, weighted by their opacity, and in
   /// alpha the mean over all samples of the opacity hit.
   const std::uint32_t* colour = nullptr;
   const std::uint32_t* traced = nullptr; ///< the same before denoising
-  /// Window depth in [0, 1] of the sample at the pixel's centre, or else of the nearest sample; 1: nothing hit.
+  /// Window depth in [0, 1] of the sample at the pixel's center, or else of the nearest sample; 1: nothing hit.
   const float* depth = nullptr;
   /// Set and glyph (see Scene::OriginalGlyph) of the same sample; noGlyph: nothing hit.
   const std::uint32_t* setIds = nullptr;
   const std::uint32_t* glyphIds = nullptr;
-  /// With TraceSettings::features, means over the samples that hit: unit normal (of the surface, world frame), colour
+  /// With TraceSettings::features, means over the samples that hit: unit normal (of the surface, world frame), color
   /// without light, view depth. Zero: nothing hit.
   std::vector<glm::vec3> normals, albedos;
   std::vector<float> viewDepths;
   std::uint32_t samples = 0; ///< samples a pixel in it so far, in all pixels
   /// False: tracing was interrupted, and some pixels have further samples, or none yet where samples is 0.
   bool complete = true;
-  float share = 1.0f; ///< of the samples that the last call asked for, in [0, 1]
+  float share = 1.0f; ///< fraction of the last call's samples, in [0, 1]
   static constexpr std::uint32_t noGlyph = 0xffffffffu;
 };
 
 enum class Pass : std::uint32_t
 {
-  Opaque = 0,      ///< the sets that HasOpaque() speaks of
-  Translucent = 1, ///< all translucent layers in front of what is opaque, up to 256 on a ray
-  All = 2          ///< both in one image; for path tracing, which mixes them by chance
+  Opaque = 0,      ///< the sets of HasOpaque()
+  Translucent = 1, ///< all translucent layers in front of the nearest opaque surface, up to 256 on a ray
+  All = 2          ///< both in one image; for path tracing, which mixes them at random
 };
 
-/// Where the light comes from that is seen on a surface: Shading/List.h.
+/// Shading modes: Shading/List.h.
 enum class Shading : std::uint32_t
 {
 #define RTG_SHADING_NUMBER(number, Name, ...) Name = number,
@@ -57,7 +57,7 @@ enum class Shading : std::uint32_t
 
 enum class ToneMapping : std::uint32_t
 {
-  None = 0,   ///< light beyond 1 is cut off
+  None = 0,   ///< light beyond 1 is clipped
   Filmic = 1, ///< a fit of the ACES curve
   Neutral = 2 ///< light beyond 0.9 is compressed, hues stay
 };
@@ -65,18 +65,18 @@ enum class ToneMapping : std::uint32_t
 struct TraceSettings
 {
   std::uint32_t width = 0, height = 0; ///< pixels
-  std::uint32_t samples = 1;           ///< samples a pixel that this call adds, >= 1; sample 0 is the pixel's centre
+  std::uint32_t samples = 1;           ///< samples a pixel that this call adds, >= 1; sample 0 is the pixel's center
   /// Samples a pixel that this tracer's image already has and keeps: 0 starts anew. Otherwise the last
   /// Trace() must have been with keepSums, ended with this many, and all else be as it was then.
   std::uint32_t firstSample = 0;
   bool keepSums = false; ///< more samples will be added: keep what they are added to
 
   Shading shading = Shading::Local;
-  /// Light from all around (the sky), of ambient occlusion and path tracing: a display colour and its strength, >= 0.
+  /// Environment light (the sky) of ambient occlusion and path tracing: a display color and its strength, >= 0.
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
   /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
-  /// the same from everywhere.
+  /// it is uniform.
   glm::vec3 skySlope{ 0.0f };
   /// Ambient occlusion: the fraction of the light on a surface that is the view's lights, which nothing occludes; the
   /// rest is the sky's. In [0, 1].
@@ -84,19 +84,19 @@ struct TraceSettings
   /// Surfaces whose color is their material's reflect at most this fraction of the light, in (0, 1]; 1: no limit.
   /// Colors of glyphs and triangles stay.
   float albedoLimit = 1.0f;
-  /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is
-  /// the same from everywhere. Not to be changed afterwards: another image is another object.
+  /// Path tracing: the environment light is this image's, times environmentColour and lightIntensity; null: it is
+  /// uniform. Immutable: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.
   bool shadows = false;
-  /// A plane that shows nothing but the share of its light that something keeps from it: ambient occlusion's and path
-  /// tracing's, and that of shadows. It is seen from the side to which its normal (unit) points, behind all else; zero:
-  /// there is none.
+  /// A plane that shows only the fraction of its light that is blocked: ambient occlusion's and path
+  /// tracing's, and that of shadows. It is visible from the side to which its normal (unit) points, behind all else;
+  /// zero: there is none.
   glm::vec3 groundNormal{ 0.0f };
   double groundHeight = 0.0;    ///< along the normal, world coordinates
-  float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
-  /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small
-  /// glyphs the light differs more from direction to direction than the place in the pixel matters, and asking costs
+  float occlusionRadius = 0.0f; ///< world units, largest distance of occluders; 0: any
+  /// Ambient occlusion: occlusion rays per sample, 1 to 64; powers of two are spread best. Among small
+  /// glyphs the light varies more with the direction than with the position in the pixel, and an occlusion ray costs
   /// less than a sample.
   std::uint32_t occlusionRays = 1;
   /// Path tracing: paths that each sample follows from what its camera ray hits, 1 to 64; powers of two are spread
@@ -104,24 +104,24 @@ struct TraceSettings
   std::uint32_t paths = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
 
-  /// The samples of a pixel are independent of each other instead of spread evenly (Shading/Sobol.glsl): they err more,
+  /// The samples of a pixel are independent instead of stratified (Shading/Sobol.glsl): they err more,
   /// but their confidence intervals are known. For tests and references.
   bool independentSamples = false;
   /// Of the finished image, for the times of scenes that move; 0: firstSample + samples. Such images are the same
-  /// however their samples are shared out among calls only when it is given.
+  /// for any division of the samples into calls only when it is given.
   std::uint32_t plannedSamples = 0;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on
 
-  /// Of so many equal shares of the image, scattered over it in tiles, this one is traced, < shares; the rest stays
+  /// Of so many equal parts of the image, scattered over it in tiles, this one is traced, < shares; the rest stays
   /// empty. For processes that trace an image together.
   std::uint32_t share = 0, shares = 1;
 
   bool operator==(const TraceSettings&) const = default;
 };
 
-/// What images of a shading have in common: Shading/List.h.
+/// Traits of a shading mode: Shading/List.h.
 struct ShadingTraits
 {
   bool scatters, linear, layers, environmentImage;
@@ -130,11 +130,11 @@ struct ShadingTraits
 };
 ShadingTraits TraitsOf(const TraceSettings& settings);
 
-/// Asked some twenty times a second while an image is traced, with the share of the work that is done, in [0, 1]; true:
+/// Called some twenty times a second while an image is traced, with the fraction of the work done, in [0, 1]; true:
 /// stop.
 using Interrupt = std::function<bool(double share)>;
 
-/// What the tracers of one view share: compiled programs, an environment image on the device, and statistics.
+/// Common to the tracers of one view: compiled programs, an environment image on the device, and statistics.
 class TracerResources;
 std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device);
 const Statistics& StatisticsOf(TracerResources& resources);
@@ -155,8 +155,8 @@ private:
   std::stop_token stop_;
 };
 
-/// Traces a committed scene. The same scene, settings and device give the same image, however its samples are
-/// shared out among calls and threads. Not thread-safe. Throws rtg::Error; on a lost device the message says so
+/// Traces a committed scene. The same scene, settings and device give the same image, for any division of its
+/// samples into calls and threads. Not thread-safe. Throws rtg::Error; on a lost device the message says so
 /// and Device::Lost() becomes true.
 class Tracer
 {
@@ -168,13 +168,13 @@ public:
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  /// With `interrupt` the image is traced in parts of some hundredths of a second, and after each that is asked whether
-  /// to stop.
+  /// With `interrupt` the image is traced in parts of some hundredths of a second, and after each the callback decides
+  /// whether to stop.
   Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
     Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
 
-  /// Has the programs for images of the scene in other light compiled in the background, when the processor has nothing
-  /// else to do. `ofShading`: the settings of each kind of shading.
+  /// Compiles the programs for images of the scene in other shading modes in the background, when the processor has
+  /// nothing else to do. `ofShading`: the settings of each kind of shading.
   void CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading);
 
   /// Goes on with the last image, which was interrupted, of the same scene.

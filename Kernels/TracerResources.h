@@ -1,4 +1,4 @@
-// What the tracers of one view share: what they know of programs, the environment image on the device, counters.
+// Common to the tracers of one view: costs of programs, the environment image on the device, counters.
 #pragma once
 
 #include "Environment.h"

@@ -1,4 +1,4 @@
-// Triangles as plain host data: the form of mesh glyphs, or a surface among the glyphs.
+// Triangles as plain host data: the mesh of glyphs, or a surface among the glyphs.
 #pragma once
 
 #include "Motion.h"
@@ -13,7 +13,7 @@ namespace rtg
 {
 
 ///@{
-/// Among values that become colors: what is no number, and what has no value at all.
+/// Among values that become colors: NaN, and a missing value.
 constexpr float notANumber = -1e9f, noValue = -1e12f;
 ///@}
 
@@ -25,12 +25,12 @@ struct TriangleMesh
   /// Unit normals: one a position (smooth), or empty (flat: the triangles' own).
   std::vector<glm::vec3> normals;
   /// RGBA8 (red in the lowest byte): one a position, interpolated, or one a triangle, or empty for the glyph's or the
-  /// material's colour.
+  /// material's color.
   std::vector<std::uint32_t> positionColours;
   std::vector<std::uint32_t> triangleColours;
   /// Instead of both: one value a position, interpolated. From 0 to 1 they go over a table of RGBA8 colors but its last
   /// two; values below and above, -1000 and 1000 at most, have the first and the last of these. The last entry is that
-  /// of noValue, the one before that of notANumber; each reaches as far as the triangles of its corner.
+  /// of noValue, the one before that of notANumber; each applies to the triangles of its corner.
   std::vector<float> positionValues;
   std::vector<std::uint32_t> valueColours;
   /// How its positions move in its own frame, one velocity and acceleration a position; no angular velocities. The
@@ -38,20 +38,20 @@ struct TriangleMesh
   GlyphMotion motion;
 };
 
-/// Whether some of these RGBA8 colours are not opaque.
+/// Whether some of these RGBA8 colors are not opaque.
 inline bool AnyTranslucent(const std::vector<std::uint32_t>& colours)
 {
   return std::any_of(colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255u; });
 }
 
-/// Whether the mesh's own colours are not all opaque.
+/// Whether the mesh's own colors are not all opaque.
 inline bool IsTranslucent(const TriangleMesh& mesh)
 {
   return AnyTranslucent(mesh.positionColours) || AnyTranslucent(mesh.triangleColours) ||
     AnyTranslucent(mesh.valueColours);
 }
 
-/// True when they differ in colours at most.
+/// True when they differ in colors at most.
 inline bool SameShape(const TriangleMesh& a, const TriangleMesh& b)
 {
   return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&

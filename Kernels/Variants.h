@@ -1,11 +1,11 @@
-// What programs are specialised for: one text for C++ and GLSL. HostDevice.h includes it.
+// Specialization constants of programs: one text for C++ and GLSL. HostDevice.h includes it.
 //
 // Sets differ in the arrays that they have and in what their glyphs are. Each difference is a bit, a "variant". A
-// program is told which of them all of its sets have and which some have: what none has is not in the program, what all
-// have costs no test, and only what sets of one scene differ in is asked of the set's record.
+// program is specialized for those that all of its sets have and those that some have: what none has is not in the
+// program, what all have costs no test, and only what sets of one scene differ in is tested in the set's record.
 
 // The arrays of a set, one value a glyph: number, bit, type, the address's name in GlyphSetRecord, where the values
-// come from (instances: GlyphInstances; colours: those of Scene::SetColours), and what messages call them. Lengths are
+// come from (instances: GlyphInstances; colors: those of Scene::SetColours), and what messages call them. Lengths are
 // checked, values sent in the order of the set's tree, and addresses filled in by this table (SceneState.h).
 #define RTG_GLYPH_ARRAYS(ARRAY)                                                                                        \
   ARRAY(0, CENTRES, Vec3Array, centres, instances.centres, "centers")                                                  \
@@ -66,7 +66,7 @@
 RTG_GLYPH_ARRAYS(RTG_BIT)
 #undef RTG_BIT
 
-// What else sets differ in.
+// Other features of sets.
 const uint FIXED_HEADS = 1u << 16;     // of arrows
 const uint ORDER_OF_SLICES = 1u << 17; // slices of time are sorted each for itself
 const uint DROPS_HIDDEN = 1u << 18;    // most of what a ray might meet lies behind its hit
@@ -77,34 +77,34 @@ const uint MESH_VALUE_COLOURS = 1u << 22;
 const uint MESH_VELOCITIES = 1u << 23;
 const uint MESH_ACCELERATIONS = 1u << 24;
 const uint MESH_TREE = 1u << 25;         // the mesh has a tree of our own instead of the driver's
-const uint END_VALUES = 1u << 26;        // colours of ends are values with a table of colours (TriangleMesh.h)
+const uint END_VALUES = 1u << 26;        // colors of ends are values with a table of colors (TriangleMesh.h)
 const uint SIGN_COLOURS = 1u << 27;      // of polynomials
-const uint DIRECTION_COLOURS = 1u << 28; // of the way from the centre to the surface
+const uint DIRECTION_COLOURS = 1u << 28; // of the direction from the center to the surface
 const uint SECTION = 1u << 29;           // a cut (Programs/section.glsl)
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
-// What a new colour or step of time brings and takes. A program asks every set for these, whatever sets there are: a
-// ray asks but where it has hit, one in a scene that moves at each glyph, and lavapipe compiles another program for
-// seconds. Asked for what is read of every glyph that a ray comes by, its images take 4 % longer.
+// Features that a new color or time step adds or removes. A program tests every set for these at run time, where a ray
+// has hit (in a moving scene at each glyph): lavapipe would compile another program for seconds. Images would take 4 %
+// longer if arrays that are read for every candidate were tested, too.
 const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
 
-// Every specialisation constant of the programs: number, type, name. Each program declares all of them.
+// Every specialization constant of the programs: number, type, name. Each program declares all of them.
 #define RTG_CONSTANTS(ENTRY)                                                                                           \
   ENTRY(0, uint, shapes)             /* bit n: some set is of shape n */                                               \
   ENTRY(1, uint, allHave)            /* variants of all sets */                                                        \
   ENTRY(2, uint, someHave)           /* variants of some set */                                                        \
   ENTRY(3, bool, independentSamples) /* as TraceSettings has it */                                                     \
   ENTRY(4, bool, alone)              /* the scene has one record, FrameRecord::onlySet */                              \
-  ENTRY(5, bool, translucency)       /* some set has opacity below one, and rays pass it by chance */                  \
+  ENTRY(5, bool, translucency)       /* some set has opacity below one, and rays pass it at random */                  \
   ENTRY(6, bool, leavesSurface)      /* rays will start from hits */                                                   \
   ENTRY(7, bool, gathersFeatures)    /* normals and so on are summed */                                                \
   ENTRY(8, bool, moves)              /* something in the scene does */                                                 \
-  ENTRY(9, bool, environmentImage)   /* light from all around is an image */                                           \
+  ENTRY(9, bool, environmentImage)   /* the environment light is an image */                                           \
   ENTRY(10, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
   ENTRY(11, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
   ENTRY(12, uint, degree)            /* the largest of polynomials */                                                  \
-  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's structure, not in own trees */            \
+  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's BVH, not in the plugin's */               \
   ENTRY(14, bool, shadows)           /* as TraceSettings has it */                                                     \
-  ENTRY(15, bool, sky)               /* light comes from all around, too */                                            \
+  ENTRY(15, bool, sky)               /* there is environment light */                                                  \
   ENTRY(16, bool, ground)            /* a plane catches shadows */

@@ -61,7 +61,7 @@ paraview_plugin_build(
   TARGET_COMPONENT plugin
   INSTALL_HEADERS OFF
   PLUGINS ${rtglyphs_plugins})
-install(FILES LICENSE README.md Plugin/CHANGES.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT plugin)
+install(FILES LICENSE README.md Plugin/CHANGES.md Plugin/LIMITS.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT plugin)
 add_custom_target(uninstall
   COMMAND "${CMAKE_COMMAND}" "-DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest_plugin.txt"
     -P "${CMAKE_CURRENT_LIST_DIR}/Uninstall.cmake"

@@ -77,7 +77,7 @@ void pqRayTracedGlyphsArray::setOn(bool on)
 }
 
 //----------------------------------------------------------------------------
-// The first entry is None, whatever word the list of arrays has for that.
+// The first entry is None in any translation.
 void pqRayTracedGlyphsArray::list()
 {
   this->Arrays->clear();

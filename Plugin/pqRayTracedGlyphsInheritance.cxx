@@ -55,7 +55,7 @@ void CopyValue(vtkSMProperty* from, vtkSMProperty* to)
   }
 }
 
-// What the plugin's sections of the panel have; those of the image are the view's.
+// Properties of the plugin's sections of the panel; those of the image are the view's.
 void CopySettings(vtkSMProxy* from, vtkSMProxy* to)
 {
   for (size_t i = 0; i < from->GetNumberOfPropertyGroups(); ++i)

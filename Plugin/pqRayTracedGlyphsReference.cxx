@@ -50,7 +50,7 @@ QString Shapes(vtkSMProxy* display)
   return table + "</table>";
 }
 
-// What the XML says of a group of this plugin; null: it is of ParaView.
+// The XML hint of a group of this plugin; null: the group is ParaView's.
 vtkPVXMLElement* HintOf(vtkSMPropertyGroup* group)
 {
   vtkPVXMLElement* hints = group->GetHints();
@@ -106,7 +106,7 @@ pqRayTracedGlyphsReference::pqRayTracedGlyphsReference(QWidget* parent)
   browser->setHtml(Page());
   auto* search = new QLineEdit(this);
   search->setObjectName("Search");
-  search->setPlaceholderText(tr("Search; Enter for the next place"));
+  search->setPlaceholderText(tr("Search; Enter for the next match"));
   search->setClearButtonEnabled(true);
   QObject::connect(search, &QLineEdit::textChanged, browser,
     [browser](const QString& words)

@@ -1,6 +1,6 @@
 /**
  * @class   pqRayTracedGlyphsRefinement
- * @brief   finishes ray-traced images while ParaView's window rests, and ends tracing that nobody wants any more
+ * @brief   finishes ray-traced images while ParaView's window rests, and stops tracing on the user's request
  *
  * A render in the window traces only what takes some hundredths of a second. After each, this object renders the view
  * again until all samples are there: between two renders the window answers to its user, and none happens while the

@@ -40,7 +40,7 @@ void pqRayTracedGlyphsStatistics::setStatistics(const QString& json)
   }
   this->Words->setText(numbers.isEmpty() ? tr("No picture yet")
                                          : choices.join("") +
-        tr("%1\n%2 samples a pixel\n%3 glyphs\n%4 for glyphs and pictures on the device")
+        tr("%1\n%2 samples per pixel\n%3 glyphs\n%4 for glyphs and images on the device")
           .arg(numbers.value("DeviceName").toString(), number("AccumulatedSamples"), number("glyphs"),
             QLocale().formattedDataSize(static_cast<qint64>(numbers.value("deviceBytes").toDouble()))));
 }

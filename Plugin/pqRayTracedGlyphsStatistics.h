@@ -22,7 +22,7 @@ public:
   void setStatistics(const QString& json);
 
 Q_SIGNALS:
-  void unused(); // nobody can change them
+  void unused(); // read only
 
 private:
   Q_DISABLE_COPY(pqRayTracedGlyphsStatistics)

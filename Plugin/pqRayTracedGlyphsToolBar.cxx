@@ -43,13 +43,14 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   : QToolBar(tr("Ray Traced Glyphs"), parent)
 {
   this->setObjectName("RayTracedGlyphs");
-  const QString view = tr(" Holds for all ray-traced displays of the active view.");
-  this->Qualities = { this->AddButton("Fast", tr("Quick pictures: plain light, few samples a pixel.") + view),
-    this->AddButton("Balanced", tr("Glyphs shade each other; enough samples a pixel for daily work.") + view),
+  const QString view = tr(" Applies to all ray-traced displays of the active view.");
+  this->Qualities = { this->AddButton("Fast", tr("Quick pictures: local shading, few samples per pixel.") + view),
+    this->AddButton("Balanced", tr("Ambient occlusion with enough samples per pixel for daily work.") + view),
     this->AddButton("Publication",
-      tr("Glyphs shade each other; many samples a pixel and nothing smoothed, for final pictures.") + view),
-    this->AddButton("Path Tracing", tr("Light is scattered from glyph to glyph, with soft shadows.") + view),
-    this->AddButton("Custom", tr("As the properties panel says: none of the others.")) };
+      tr("Ambient occlusion, shadows and many samples per pixel without denoising, for final pictures.") + view),
+    this->AddButton(
+      "Path Tracing", tr("Path tracing: light is scattered from glyph to glyph, with soft shadows.") + view),
+    this->AddButton("Custom", tr("The values of the properties panel match none of these.")) };
   int value = 0; // Custom is the last one's, and 0
   for (QAction* quality : this->Qualities)
   {
@@ -60,7 +61,7 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   }
   this->addSeparator();
   this->Stop = this->AddButton("Stop",
-    tr("Stop: leaves the picture of the active view with the samples that it has, until something changes. So does Esc "
+    tr("Stop: ends the refinement of the active view's picture until something changes. So does Esc "
        "in the "
        "view."));
   this->Stop->setIcon(this->style()->standardIcon(QStyle::SP_MediaStop));
@@ -68,8 +69,7 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
 
   this->Samples = new QProgressBar(this);
   this->Samples->setObjectName("Samples");
-  this->Samples->setToolTip(
-    tr("Samples a pixel that the picture of the active view has, of those that it will have (SamplesPerPixel)."));
+  this->Samples->setToolTip(tr("Samples per pixel of the active view's picture, out of SamplesPerPixel."));
   // No wider than it must be: what does not fit into a narrow window is hidden.
   const QFontMetrics font = this->Samples->fontMetrics();
   this->Samples->setFixedWidth(
@@ -77,7 +77,7 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   this->Samples->setAlignment(Qt::AlignCenter);
   this->addWidget(this->Samples);
 
-  QAction* reference = this->AddButton("?", tr("What the display properties of ray-traced glyphs and surfaces mean"));
+  QAction* reference = this->AddButton("?", tr("All shapes, and the meaning of all properties of ray-traced displays"));
   QObject::connect(
     reference, &QAction::triggered, this, [this]() { (new pqRayTracedGlyphsReference(this->window()))->show(); });
 

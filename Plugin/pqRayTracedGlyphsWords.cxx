@@ -24,7 +24,7 @@ QString pqRayTracedGlyphsWords::Of(vtkSMRayTracedViewProxy* scene, bool refined)
 //----------------------------------------------------------------------------
 QString pqRayTracedGlyphsWords::ForTime(double seconds)
 {
-  // Numbers of one digit that counts are enough, and do not flicker.
+  // One significant digit is enough and does not flicker.
   const auto rounded = [](double number)
   {
     const double unit = number < 10.0 ? 1.0 : number < 100.0 ? 5.0 : 50.0;

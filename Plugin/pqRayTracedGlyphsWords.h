@@ -1,5 +1,5 @@
 /**
- * What the toolbar and ParaView's progress bar say of an image, in the same words.
+ * Texts of the toolbar and of ParaView's progress bar on an image.
  */
 #ifndef pqRayTracedGlyphsWords_h
 #define pqRayTracedGlyphsWords_h

@@ -1,6 +1,6 @@
 """Python calls of the RayTracedGlyphs plugin. Load the plugin first: paraview.simple.LoadPlugin(...).
 
-Displays are what paraview.simple.Show() returns, shown as 'Ray Traced Glyphs', 'Ray Traced Surface' or 'Ray Traced Tubes'.
+A display is the result of paraview.simple.Show(), here with the representation 'Ray Traced Glyphs', 'Ray Traced Surface' or 'Ray Traced Tubes'.
 """
 import json
 import os
@@ -26,12 +26,12 @@ def _AnyDisplay(view):
 
 
 def Statistics(view=None):
-    """What RenderStatistics says, as a dictionary, of a view's image and of the first of its ray-traced displays."""
+    """RenderStatistics of a view's image and of its first ray-traced display, as a dictionary."""
     return json.loads(_AnyDisplay(view).SMProxy.GetProperty("RenderStatistics").GetElement(0))
 
 
 def SetSamplesPerRender(samples, view=None):
-    """For scripts that watch an image grow: each render adds so many samples a pixel until there are SamplesPerPixel.
+    """Each render adds so many samples per pixel until there are SamplesPerPixel, for scripts that watch an image refine.
 
     0: all at once, which is the default; -1: what fits into some hundredths of a second, as in ParaView's window.
     """
@@ -41,10 +41,10 @@ def SetSamplesPerRender(samples, view=None):
 
 
 def SaveFeatureImage(fileName, view=None):
-    """Renders the view and leaves in a file what its ray-traced image shows besides colors, with all samples.
+    """Renders the view with all samples and writes depth, normals, ids and other features of its ray-traced image.
 
-    fileName: path of XML image data (.vti), written by the process that renders; of several ranks each writes its own, with
-    -RANK before the extension. The data have one point a pixel, the lower left one first. Point arrays: Color (RGBA),
+    fileName: path of XML image data (.vti), written by the process that renders; with several ranks each writes a file, with
+    -RANK before the extension. The data have one point per pixel, the lower left one first. Point arrays: Color (RGBA),
     WindowDepth, ViewDepth (world units), Normal (unit, world frame), Albedo (color without light), all means over the samples
     that hit and 0 where nothing was hit (WindowDepth: 1); Representation (number of the view's ray-traced display),
     OriginalId (its input's point, or a surface's or tube's cell; -1: nothing was hit) and CompositeIndex (its block), of the pixel's
@@ -62,17 +62,17 @@ def SaveFeatureImage(fileName, view=None):
 
 
 def StopRefinement(view=None):
-    """Leaves the view's image as it is, though it has not all samples, until something else changes it."""
+    """Stops the refinement of the view's image until something changes the image."""
     _AnyDisplay(view).SMProxy.InvokeCommand("StopRefinement")
 
 
 def ExportGlyphs(fileName, view=None):
-    """Writes the glyphs that a view shows as meshes and the places of their copies, for other programs.
+    """Writes the glyphs of a view as instances of meshes, for other programs.
 
     fileName: path of a .usda (Universal Scene Description: a PointInstancer for each display, with velocities where MotionBlur
     is on), .glb or .gltf (glTF 2.0 with EXT_mesh_gpu_instancing; a .gltf has a .bin beside it), written by the client. Colors
-    are linear. What is shown as 'Ray Traced Surface' is left out, as are superquadrics and tensor glyphs of more than 1000
-    different forms; messages say so.
+    are linear. Displays as 'Ray Traced Surface' are left out, as are superquadrics and tensor glyphs of more than 1000
+    different shapes; messages say so.
     """
     exporters = {".usda": "RayTracedGlyphsUSDExporter", ".glb": "RayTracedGlyphsGLTFExporter", ".gltf": "RayTracedGlyphsGLTFExporter"}
     extension = os.path.splitext(fileName)[1].lower()
@@ -89,11 +89,11 @@ def ExportGlyphs(fileName, view=None):
 
 
 def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1600, 1200), quality="Publication", **properties):
-    """Shows a source as a figure for print: on white, in the light of a quality, with a scalar bar. Returns the display.
+    """Shows a source as a figure for print: on white, with a RenderingQuality and a scalar bar. Returns the display.
 
-    kind: a GlyphType or GlyphShape such as "Arrow" or "Tensor Ellipsoid", or "Surface" or "Tubes". fileName: where a picture of
-    that size, in pixels, is written; None: nowhere, so that camera and properties can be changed first. colors: name of the
-    array of points or cells that colors them; None: the array that the glyphs' sizes or directions are, if any; "": none. view:
+    kind: a GlyphType or GlyphShape such as "Arrow" or "Tensor Ellipsoid", or "Surface" or "Tubes". fileName: path of a picture of
+    that size, in pixels; None: no picture, so that camera and properties can be changed first. colors: name of the
+    point or cell array that colors them; None: the array of the glyphs' directions or sizes, if any; "": none. view:
     None: a new one; its camera is kept in all others. quality: a RenderingQuality. properties: of the display, such as
     GroundShadow="Below"; a dot leads to one of a property: **{"GlyphType.TipRadius": 0.2}.
     """
@@ -125,7 +125,7 @@ def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1
 
 
 def _LookFromAbove(view):
-    """Shows all from in front, above and the right, z upwards."""
+    """Looks at all data from the front, above and the right, z upwards."""
     pv.ResetCamera(view)
     view.CameraViewUp, focus = [0.0, 0.0, 1.0], list(view.CameraFocalPoint)
     distance = sum((a - b) ** 2 for a, b in zip(view.CameraPosition, focus)) ** 0.5
@@ -148,5 +148,5 @@ def _Color(source, display, view, name):
             bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
             return
     if name:
-        raise ValueError("There is no array '%s' of points or cells to color by; colors=\"\" leaves them in one color." % name)
+        raise ValueError("There is no point or cell array '%s' to color by; colors=\"\" gives one color." % name)
     display.ColorArrayName = [None, ""]

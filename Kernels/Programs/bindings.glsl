@@ -1,4 +1,4 @@
-// What every program sees: the frame, and what it is specialised for.
+// Input of every program: the frame, and specialization constants.
 #extension GL_EXT_spirv_intrinsics : require
 #extension GL_EXT_control_flow_attributes : require
 // Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on
@@ -39,22 +39,22 @@ GlyphSetRecord SetRecord(const uint index)
 #define InSet(set, array, index) (Has((set).variants, array) ? (index) : 0u)
 
 // Index of the value of a glyph that a ray may have hit. Compilers may load it where the condition round it does not
-// hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
+// hold, for rays that hit nothing, too: the index is always one of the set's.
 #define InSetIfHit(set, array, glyph) InSet(set, array, min(glyph, (set).glyphCount - 1u))
 
-// A glyph's own colour.
+// A glyph's own color.
 vec4 ColourOf(const GlyphSetRecord set, const uint glyph)
 {
   return unpackUnorm4x8(set.colours.at[InSetIfHit(set, COLOURS, glyph)]);
 }
 
-// What all of a glyph's surface has; its colours may lessen it.
+// Opacity of all of a glyph's surface; the alpha of colors multiplies it.
 float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
 {
   return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;
 }
 
-// The colour of an interpolated value in a table that begins at that place: from 0 to 1 over all entries but two, that
+// The color of an interpolated value in a table that begins at that place: from 0 to 1 over all entries but two, that
 // of what is no number and that of what has no value.
 vec4 TableColour(const UintArray table, const uint first, const uint size, const float value)
 {
@@ -76,7 +76,7 @@ float ValueBetween(const float least, const float interpolated)
 
 const uint nothing = 0xffffffffu; // no glyph, no triangle
 
-// More translucent surfaces on a ray than it passes by chance count as a wall.
+// Limit of translucent surfaces that a ray may pass at random; beyond it the ray is blocked.
 const uint maximumPasses = 4096u;
 
 // The magnitude of the largest component.
@@ -85,7 +85,7 @@ float LargestOf(const vec3 v)
   return max(abs(v.x), max(abs(v.y), abs(v.z)));
 }
 
-// The nearest hit. Whatever kind of surface it lies on, it fills all of this.
+// The nearest hit. Every kind of surface fills all members.
 struct SurfaceHit
 {
   float t;     // along the traced ray; negative: nothing hit
@@ -95,7 +95,7 @@ struct SurfaceHit
   vec4 colour;
   uint record;   // index of its GlyphSetRecord
   uint glyph;    // index in the set's sorted order
-  bool coloured; // its colour stands for something, also in ambient light
+  bool coloured; // its color stands for something, also in ambient light
 };
 
 SurfaceHit NoHit()

@@ -1,4 +1,4 @@
-// What becomes of a glyph that a ray may meet, whether own trees (walk.glsl) or the driver's structure (query.glsl)
+// Handles a candidate, a glyph that a ray may meet, whether the plugin's BVH (walk.glsl) or the driver's (query.glsl)
 // have found it; after bindings.glsl and glyph.glsl.
 #ifndef RTG_CANDIDATES
 #define RTG_CANDIDATES
@@ -37,7 +37,7 @@ bool IsBehind(const uint at, const GlyphCrossing crossing)
   bool behind = layerTime[at] > time || (layerTime[at] == time && layerGlyph[at] > crossing.glyph);
   if (rayQueries && !alone && layerTime[at] == time && layerGlyph[at] == crossing.glyph)
   {
-    // Own trees bring one set after the other.
+    // The plugin's BVH yields one set after the other.
     behind = layerRecord[at] > crossing.record;
   }
   return behind;
@@ -91,7 +91,7 @@ void AddLayer(const GlyphCrossing added, const float error)
   layerCount = min(layerCount + 1u, layerLimit);
 }
 
-// Up to where further layers are wanted, of those up to tMax. The driver's structure brings what is opaque among the
+// Up to where further layers are wanted, of those up to tMax. The driver's BVH yields the opaque ones among the
 // rest, so that the last of the layers may lie behind that.
 float LayersEnd(const float tMax)
 {

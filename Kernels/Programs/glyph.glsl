@@ -14,7 +14,7 @@ struct GlyphSource
 {
   GlyphSetRecord set;
   float time;
-  Glyph alike; // what all glyphs of the set share
+  Glyph alike; // values common to all glyphs of the set
 };
 
 GlyphSource SourceOf(const GlyphSetRecord set)
@@ -42,7 +42,7 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 {
   GlyphSetRecord set = source.set;
   Glyph glyph = source.alike;
-  // The set's offset is part of the centre; what rounding would lose stays in the low part.
+  // The set's offset is part of the center; what rounding would lose stays in the low part.
   DoubleWord3 centre = TwoSum(set.centres.at[primitive], set.offset);
   glyph.centre = centre.hi;
   glyph.centreLow = centre.lo + set.offsetLow;
@@ -86,7 +86,7 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
   return glyph;
 }
 
-// What Estimate.glsl says for certain.
+// Results of Estimate.glsl.
 int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   out float low, out float high)
 {
@@ -174,15 +174,15 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
   return met || inside;
 }
 
-// Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
+// Translucent surfaces that rays pass at random: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
 float OpacityOf(const GlyphSetRecord set, const uint glyph)
 {
   float opacity = OpacityOfGlyph(set, glyph);
   return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
 }
 
-// The colour of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
-// between those at its centre and farthest from it.
+// The color of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
+// between those at its center and farthest from it.
 vec4 ColourBetweenEnds(
   const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
 {
@@ -203,14 +203,14 @@ vec4 ColourBetweenEnds(
   return colour * vec4(vec3(1.0), OpacityOf(set, number));
 }
 
-// Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.
+// Whether the ray passes translucent surfaces of the set at random. `seed`: of the ray; 0: it passes none.
 bool MayPass(const GlyphSetRecord set, const uint seed)
 {
   return translucency && seed != 0u && set.translucent != 0u;
 }
 
-// Whether it passes the crossing of that number, or triangle, of a glyph: by chance, so that in the mean the share
-// 1 - opacity passes. The same answer however often it is asked.
+// Whether it passes the crossing of that number, or triangle, of a glyph: at random, so that on average the fraction
+// 1 - opacity passes. The result is the same at each call.
 bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const uint crossing, const float opacity)
 {
   return UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= opacity;

@@ -1,5 +1,5 @@
 // Translucent surfaces along a camera ray, front to back: what each lets through lights what the eye sees of the next.
-// That is how depth peeling composites them, and what path tracing, which stops at each by chance, shows in the mean.
+// That is how depth peeling composites them, and what path tracing, which stops at each at random, shows on average.
 
 // More are left out, and so is what shines through by less than LEAST_PASSING.
 const uint maximumLayers = 256u;
@@ -8,7 +8,7 @@ struct Layers
 {
   SceneRay ray;
   float tMin;    // from where the next one is sought
-  float passing; // share of the light from there that reaches the eye
+  float passing; // transmittance from there to the eye
   uint count;    // that have been found
 };
 
@@ -23,7 +23,7 @@ Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
   return layers;
 }
 
-// Asks for the next layer. What is opaque ends them.
+// Traces on to the next layer. An opaque one is the last.
 Query LayerQuery(const Layers layers)
 {
   return Query(layers.ray, layers.tMin, frame.farDepth - layers.ray.start,

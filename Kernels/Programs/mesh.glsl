@@ -1,10 +1,10 @@
 // A glyph that is a copy of a mesh. With a tree of our own (MESH_TREE) it is a shape like the others, whose
 // intersection goes through the tree of its triangles (Kernels/MeshTree.h) in its own frame, at the time of the ray in
-// flight; without one the driver's structure brings its triangles.
+// flight; without one the driver's BVH has its triangles.
 #include "tree.glsl"
 #include "triangle.glsl"
 
-// The glyph as if its centre were the middle of its mesh, which the positions on the device are relative to.
+// The glyph as if its center were the middle of its mesh, which the positions on the device are relative to.
 Glyph AboutMiddle(const Glyph ofMesh, const GlyphSetRecord set)
 {
   Glyph glyph = ofMesh;
@@ -42,7 +42,7 @@ float MeshTime(const GlyphSetRecord set)
   return Has(set.variants, MOVING_MESH) ? TimeOf(set) : 0.0;
 }
 
-// The same numbers whatever triangle asks.
+// The same numbers for each triangle of the edge.
 vec3 CornerAt(const GlyphSetRecord set, const uint corner, const float time)
 {
   precise vec3 position = set.meshPositions.at[corner];
@@ -70,7 +70,7 @@ vec3 Cycled(const vec3 v, const uint axis)
 
 // A ray ready for triangles: shears that make it run along the last axis. After Woop, Benthin and Wald, "Watertight
 // Ray/Triangle Intersection", Journal of Computer Graphics Techniques 2(1), 2013. Rounding is monotone, so that the
-// sign of an edge's function is right or zero, and zero counts as inside: rays find no gap between neighbours.
+// sign of an edge's function is right or zero, and zero counts as inside: rays find no gap between neighbors.
 struct ShearedRay
 {
   vec3 origin;
@@ -244,7 +244,7 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
     smoothed = SmoothNormal(set, corner, crossing.weight, normal);
     if (Has(set.variants, MOVING_MESH))
     {
-      // The corners' normals are those of the mesh at rest: they turn as the triangle does.
+      // The corners' normals are those of the mesh at rest: they rotate with the triangle.
       vec3 rest = set.meshPositions.at[corner.x];
       vec3 before = NormalOf(set.meshPositions.at[corner.y] - rest, set.meshPositions.at[corner.z] - rest);
       bool flat_ = min(dot(before, before), dot(normal, normal)) <= 0.0;
@@ -253,7 +253,7 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
   }
   SurfaceHit hit;
   hit.t = t;
-  // Normals turn with the inverse transpose.
+  // Normals transform with the inverse transpose.
   vec3 size = glyph.size / LargestOf(glyph.size);
   hit.shadingNormal = UnitNormal(RotateToWorld(glyph, smoothed / size), ray.direction);
   hit.normal = OnSideOf(hit.shadingNormal, UnitNormal(RotateToWorld(glyph, normal / size), ray.direction));

@@ -15,9 +15,9 @@ uint SliceOf(const uint sliceBits)
   return uint(shutterTime * float(1u << sliceBits));
 }
 
-// Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan asks 2^-11 of its own, and that between -pi and
-// pi only. Taylor polynomials within an eighth of a turn; pi/2 is subtracted in three parts whose products are exact
-// (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980).
+// Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan's are right to 2^-11, and that between -pi and
+// pi only. Taylor polynomials within an eighth of a revolution; pi/2 is subtracted in three parts whose products are
+// exact (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980).
 vec2 SineCosine(const float angle)
 {
   float quarters = floor(0.63661977 * angle + 0.5);
@@ -31,7 +31,7 @@ vec2 SineCosine(const float angle)
   return quadrant < 2u ? result : -result;
 }
 
-// Unit quaternion (x, y, z, w) of a turn by the vector's length round its direction.
+// Unit quaternion (x, y, z, w) of a rotation by the vector's length round its direction.
 vec4 TurnBy(const vec3 rotation)
 {
   vec3 halfway = 0.5 * rotation;
@@ -54,14 +54,14 @@ void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, con
     {
       displacement += set.velocities.at[InSet(set, VELOCITIES, primitive)];
     }
-    // What rounding the new centre would lose stays in the low part.
+    // The low part keeps the rounding of the new center.
     DoubleWord3 centre = TwoSum(glyph.centre, displacement * time);
     glyph.centre = centre.hi;
     glyph.centreLow += centre.lo;
   }
   if (Has(set.variants, ANGULAR_VELOCITIES))
   {
-    // First the glyph's own rotation b, then the turn a.
+    // First the glyph's own rotation b, then a.
     vec4 a = TurnBy(time * set.angularVelocities.at[InSet(set, ANGULAR_VELOCITIES, primitive)]);
     vec4 b = glyph.rotation;
     vec4 product = vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));

@@ -1,10 +1,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Ambient occlusion: a surface reflects what reaches it of the sky's light, and a part of it is lit by the view's
-// lights. Each sample looks for the sky in several directions, with a density in proportion to the cosine. After
+// lights. Each sample traces occlusion rays, with a density in proportion to the cosine. After
 // Zellmann et al., "High-Quality Rendering of Glyphs Using Hardware-Accelerated Ray Tracing", EGPGV 2020, who darken
 // all light; that makes clutter black.
-// With `shadows` each sample asks once for each light that casts any whether something is in its way. Local shading
+// With `shadows` each sample traces a shadow ray for each light that casts shadows. Local shading
 // with shadows is this program without `sky`: lights add up as display colors then.
 #include "bindings.glsl"
 #include "trace.glsl"
@@ -24,7 +24,7 @@ vec3 Linear(const vec3 shown)
   return sky ? DisplayToLinear(shown) : shown;
 }
 
-// A surface whose lights are asked one after the other.
+// A surface whose lights are sampled one after the other.
 struct Asking
 {
   uint light; // the next; frame.lightCount: none is left
@@ -33,7 +33,7 @@ struct Asking
   vec3 normal;
   vec3 toViewer;
   float power;
-  // The way to a place of it.
+  // The direction to a point of it.
   vec3 aim;
   float distance;
 };
@@ -59,7 +59,7 @@ void NextLight(inout Asking asking, const vec2 u)
   }
 }
 
-// Adds the light that was asked for.
+// Adds the light of the last shadow ray.
 void AddAskedLight(inout Asking asking)
 {
   LightRecord light = LightAt(asking.light);
@@ -86,7 +86,7 @@ void main()
   SampleNumber number;
   Layers layers;
   bool begins = true; // a sample
-  // The layer that is asked about, and how many of its rays towards the sky are still to be traced.
+  // The current layer, and how many of its occlusion rays are still to be traced.
   SurfaceHit hit = NoHit();
   vec3 colour, reflected, x, y; // `reflected`: of the sky's light
   DoubleWord3 start;
@@ -103,7 +103,7 @@ void main()
   bool onGround = false;
   vec3 all, missing;
 
-  // One ray a turn, of whatever kind: lanes of a CPU device that have no occlusion rays to trace go on with the next
+  // One ray an iteration, of any kind: lanes of a CPU device that have no occlusion rays to trace go on with the next
   // sample instead of waiting for the others, and the traversal is in the program once.
   for (uint s = frame.firstSample; s < frame.firstSample + frame.samples;)
   {

@@ -11,17 +11,17 @@
 #include "../Shading/Reflection.glsl"
 #include "../Shading/Ground.glsl"
 
-// The number of rays aimed at the environment image: beyond those of all bounces.
+// The sample dimension of environment rays: beyond those of all bounces.
 const uint eventEnvironment = 0x400000u;
 
-// Where light is the same from all around and comes from nowhere else, what a surface reflects can be guessed, and
+// With uniform environment light and no other, the reflected light of a surface can be estimated, and
 // Russian roulette may end a path from its second hit on; else from its third.
 bool Guessing()
 {
   return !environmentImage && frame.lightCount == 0u;
 }
 
-// Share of the directions about a hit in which something is, as far as can be guessed: of 0.5 to 0.8 the least error at
+// Estimated fraction of occluded directions about a hit: of 0.5 to 0.8 the least error at
 // equal time in the scenes of LightBenchmark. It changes no mean.
 const float guessedOcclusion = 0.65;
 
@@ -57,7 +57,7 @@ vec3 EvaluateAt(const bool onGround, const Surface surface, const vec3 from, con
   return ground && onGround ? vec3(to.z / scatterPi) : Evaluate(surface, from, to, u);
 }
 
-// The numbers that decide one scattering; those that the surface does not ask for are not drawn.
+// The numbers that decide one scattering; those that the surface does not need are not drawn.
 ScatterNumbers DrawNumbers(const Surface surface, const SampleNumber number, const uint bounce)
 {
   ScatterNumbers u;
@@ -89,8 +89,8 @@ ScatterNumbers DrawNumbers(const Surface surface, const SampleNumber number, con
 // Russian roulette at a hit that a path has come to along `direction` after `bounce` scatterings. A path that ends
 // brings, instead of nothing, a guess of what the surface reflects, and the others only the rest: the nearer the guess,
 // the less noise. In the manner of Szirmay-Kalos, Antal and Sbert, "Variance Based Go with the Winner Strategy in Path
-// Tracing", WSCG 2005. The guess: a surface of albedo a, of whose surroundings a share o is covered by others like it,
-// reflects r = a (1 - o + o r).
+// Tracing", WSCG 2005. The guess: a surface of albedo a, of whose surroundings a fraction o is covered by others like
+// it, reflects r = a (1 - o + o r).
 bool Survives(const SampleNumber number, const uint bounce, const Surface surface, const SurfaceHit hit,
   const vec3 direction, inout vec3 throughput, inout vec3 radiance)
 {
@@ -120,13 +120,13 @@ bool Survives(const SampleNumber number, const uint bounce, const Surface surfac
   return true;
 }
 
-// From where there is nothing in the way and nothing is aimed at.
+// From an unoccluded direction without a sampled light.
 vec3 LightFrom(const vec3 direction)
 {
   return environmentImage ? EnvironmentBelow(direction) : SkyRadiance(direction);
 }
 
-// What arrives on the ground where nothing is in the way.
+// Unoccluded light on the ground.
 vec3 GroundLight(const SceneRay ray, const SurfaceHit hit)
 {
   vec3 position = LeaveGround(ray, hit).hi;
@@ -139,10 +139,10 @@ vec3 GroundLight(const SceneRay ray, const SurfaceHit hit)
   return light;
 }
 
-// Light that a surface reflects unless something is in the way.
+// Light that a surface reflects unless it is occluded.
 struct DirectLight
 {
-  vec3 radiance; // zero: there is none to ask for
+  vec3 radiance; // zero: no shadow ray is needed
   vec3 direction;
   float distance;
   uint seed; // of the ray towards it
@@ -153,7 +153,7 @@ DirectLight NoLight()
   return DirectLight(vec3(0.0), vec3(0.0), 0.0, 0u);
 }
 
-// What the surface at `origin` reflects of one of the view's lights, as if it were all of them; `x`, `y` and `normal`:
+// Reflected light at `origin` from one of the view's lights, as if it were all of them; `x`, `y` and `normal`:
 // its frame, in which `from` points back along the path.
 DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surface surface, const vec3 x, const vec3 y,
   const vec3 normal, const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
@@ -177,7 +177,7 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
       direct.direction = aim;
       direct.distance = distance;
       direct.seed = SeedOf(number, 2u * bounce + 1u);
-      // vtkLight's colours are what a white surface facing the light shows, hence pi.
+      // vtkLight's colors are what a white surface facing the light shows, hence pi.
       direct.radiance = EvaluateAt(onGround, surface, from, to, u) * light.colour *
         (scatterPi * incidence.attenuation * float(frame.lightCount));
     }
@@ -185,7 +185,7 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
   return direct;
 }
 
-// The same of what is aimed at of the environment.
+// The same for a sampled direction of the environment.
 DirectLight FromEnvironment(const bool onGround, const Surface surface, const vec3 x, const vec3 y, const vec3 normal,
   const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
 {
@@ -213,7 +213,7 @@ void main()
     return;
   }
   Pixel pixel = BeginPixel(position);
-  // What is opaque hides translucent surfaces behind it, also where only those are shown.
+  // Opaque surfaces hide translucent ones behind them, also where only those are shown.
   const uint cameraMask = translucency ? frame.cullMask | OPAQUE_MASK : frame.cullMask;
 
   SampleNumber number;
@@ -229,10 +229,10 @@ void main()
   bool onGround = false;
   vec3 all, missing;
 
-  // Light whose way to the last hit is not known to be free.
+  // Light whose shadow ray is still to be traced.
   DirectLight fromLights = NoLight(), fromEnvironment = NoLight();
 
-  // One ray a turn, of whatever kind: lanes whose path has ended go on with the next one instead of waiting for the
+  // One ray an iteration, of any kind: lanes whose path has ended go on with the next one instead of waiting for the
   // others (Novak, Havran and Dachsbacher, "Path Regeneration for Interactive Path Tracing", Eurographics 2010), and
   // the traversal is in the program once.
   for (uint s = frame.firstSample; s < frame.firstSample + frame.samples;)

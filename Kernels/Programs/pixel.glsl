@@ -1,6 +1,6 @@
-// What the programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
-// What an image does not ask for is not in its program: on CPU devices even untaken branches cost time. Accumulation
-// and exposure, which users turn on and off, are asked of the frame: once a pixel.
+// Common code of the programs of images: the pixel of a launch, camera rays, and what a pixel gathers.
+// Features that an image does not use are not in its program: on CPU devices even untaken branches cost time.
+// Accumulation and exposure, which users turn on and off, are tested in the frame's record, once a pixel.
 #include "../Shading/Frame.glsl"
 #include "../Shading/Sampling.glsl"
 #include "../Shading/ShutterTime.glsl"
@@ -9,8 +9,8 @@
 const uint tileSize = 8u;
 
 // Launch index to pixel: tiles of 8 by 8 pixels, inside them blocks of 4 by 2, so that the eight lanes
-// that lavapipe runs together see neighbouring pixels. The tiles of a launch lie scattered over the image: each launch
-// costs about as much as any other of its size, and so does each thread's share of it. False: no pixel is left.
+// that lavapipe runs together see neighboring pixels. The tiles of a launch lie scattered over the image: each launch
+// costs about as much as any other of its size, and so does each thread's part of it. False: no pixel is left.
 bool LaunchPixel(const uvec2 launch, out uvec2 position)
 {
   uint lane = launch.x & 63u;
@@ -54,17 +54,17 @@ void OpenShutter(const SampleNumber number)
   }
 }
 
-// What a pixel has gathered.
+// A pixel's sums.
 struct Pixel
 {
-  // Sums over samples of colour times opacity, and of opacity. Single floats would be off by a hundredth after a
+  // Sums over samples of color times opacity, and of opacity. Single floats would be off by a hundredth after a
   // million samples, all to the same side.
   DoubleWord3 colour;
   DoubleWord opacity;
   bool found; // some sample hit
   bool centreHit;
-  float depth;  // view depth of the centre's sample, or else of the nearest
-  float behind; // window depth of what is seen without having been hit: the ground
+  float depth;  // view depth of the center's sample, or else of the nearest
+  float behind; // window depth of the ground, which rays do not hit
   uint record;  // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
   uint glyph;
 };
@@ -94,7 +94,7 @@ Pixel BeginPixel(const uvec2 position)
   return pixel;
 }
 
-// Adds a layer of a sample, or all that a sample has seen.
+// Adds a layer of a sample, or a whole sample.
 void AddToPixel(inout Pixel pixel, const vec3 colour, const float opacity)
 {
   pixel.opacity = Add(pixel.opacity, opacity);
@@ -132,7 +132,7 @@ void AddFeatures(const uvec2 position, const uint index, const vec3 normal, cons
   frame.features.at[at].hits += 1.0;
 }
 
-// Keeps and shows the pixel. `linear`: its colour is light, not a display colour.
+// Keeps and shows the pixel. `linear`: its color is light, not a display color.
 void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
 {
   uint at = position.y * frame.width + position.x;

@@ -1,4 +1,4 @@
-// Candidates from the driver's structure, by ray queries: glyphs as boxes, and triangles of meshes at rest, which the
+// Candidates from the driver's BVH, by ray queries: glyphs as boxes, and triangles of meshes at rest, which the
 // driver intersects.
 #ifndef RTG_QUERY
 #define RTG_QUERY
@@ -22,7 +22,7 @@ GlyphCrossing MeetTriangle(
   return GlyphCrossing(record, number, triangle, clamp(t, tMin, tMax), vec3(0.0));
 }
 
-// What WalkSets() in walk.glsl finds.
+// The same hits as WalkSets() in walk.glsl.
 GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
   const bool any, const bool gathers)
 {

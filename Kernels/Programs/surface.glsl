@@ -1,6 +1,6 @@
-// What a surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
+// The surface at a hit; after bindings.glsl and glyph.glsl.
 
-// Whether the colour of a glyph leaves that of its surface to other rules: none and white do.
+// Whether the color of a glyph leaves that of its surface to other rules: none and white do.
 bool LeavesColours(const GlyphSetRecord set, const vec4 colour)
 {
   return !Has(set.variants, COLOURS) || colour.rgb == vec3(1.0);
@@ -74,7 +74,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   }
   if (Has(set.variants, DIRECTION_COLOURS) && LeavesColours(set, hit.colour))
   {
-    // In the world: a glyph that is turned has other colours.
+    // In the world: a glyph that is turned has other colors.
     vec3 way = abs(RotateToWorld(found, FromCentre(ray, found, t)));
     hit.colour.rgb = way / max(length(way), 1e-30);
   }

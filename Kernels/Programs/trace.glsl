@@ -1,5 +1,5 @@
-// Tracing one ray. What it may meet is found in own trees (walk.glsl) or by ray queries in the driver's structure
-// (query.glsl); from there on there is one way.
+// Tracing one ray. Candidates come from the plugin's BVH (walk.glsl) or, by ray queries, from the driver's
+// (query.glsl); the code after that is common.
 #include "glyph.glsl"
 #include "query.glsl"
 #include "walk.glsl"
@@ -25,16 +25,16 @@ void SetShutterTime(const float time)
   }
 }
 
-// What a ray asks the scene.
+// A ray's query of the scene.
 struct Query
 {
   SceneRay ray;
   float tMin;
   float tMax;
-  uint mask; // of the sets that are asked
-  uint seed; // of the chance by which it passes translucent surfaces, the same ones whenever it is asked; 0: it passes
+  uint mask; // of the sets that it may hit
+  uint seed; // of the random choice which translucent surfaces it passes, the same at each call; 0: it passes
              // none
-  bool any;  // whether it meets anything, whatever that is
+  bool any;  // any hit will do
 };
 
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.

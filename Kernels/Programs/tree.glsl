@@ -12,7 +12,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Tre
 // Rays are soon stopped in some set: what lies behind a hit is dropped at once.
 const bool dropsHidden = (someHave & DROPS_HIDDEN) != 0u;
 
-// A path through the tree without a stack: the node is known by level and index, and for every level on the way to it
+// A path through the tree without a stack: the node is known by level and index, and for every level above it
 // eight bits say which of the children are still to be visited, the first to be visited highest, and four in what
 // order they are numbered; and where the ray enters the first of them but the one visited first, or before.
 struct TreePosition
@@ -50,9 +50,9 @@ uvec2 LeafRange(const TreePosition position, const uint levels, uint64_t count, 
               : uvec2(0u);
 }
 
-// The ray prepared for boxes. Rounding moves the parameters t at which it meets their planes: by 2^-20 of the way to
-// the node, and by what it has left of the ray's origin (`slack`). A ray keeps that clear of planes itself, so that no
-// glyph far away makes the boxes of others wider (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013); what the planes
+// The ray prepared for boxes. Rounding moves the parameters t at which it meets their planes: by 2^-20 of the distance
+// to the node, and by what it has left of the ray's origin (`slack`). A ray keeps that clear of planes itself, so that
+// no glyph far away makes the boxes of others wider (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013); what the planes
 // lie apart within a node adds to it, its boxes allow for (GlyphTree.cxx).
 struct BoxRay
 {

@@ -1,4 +1,4 @@
-// Normals and colours of triangles by their corners.
+// Normals and colors of triangles by their corners.
 uvec3 CornersOf(const GlyphSetRecord set, const uint triangle)
 {
   return uvec3(set.meshTriangles.at[3u * triangle], set.meshTriangles.at[3u * triangle + 1u],
@@ -11,7 +11,7 @@ vec3 NormalOf(const vec3 toB, const vec3 toC)
   return cross(toB / max(LargestOf(toB), 1e-37), toC / max(LargestOf(toC), 1e-37));
 }
 
-// Of unit length, whatever its length; against the ray where it is zero: rounding may let rays meet triangles without
+// Of unit length; against the ray where it is zero: rounding may let rays meet triangles without
 // area.
 vec3 UnitNormal(const vec3 normal, const vec3 direction)
 {

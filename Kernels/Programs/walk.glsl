@@ -1,4 +1,4 @@
-// Candidates from own trees: a ray goes through the visible sets one after the other and walks the tree of each
+// Candidates from the plugin's BVH: a ray visits the visible sets one after the other and traverses the BVH of each
 // (Kernels/GlyphTree.h).
 #ifndef RTG_WALK
 #define RTG_WALK
@@ -68,7 +68,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
         }
         else if (verdict != RTG_MISSED)
         {
-          // Which of two estimated glyphs is nearer their exact t must tell: first that of the hit, then this one comes
+          // The exact t decides which of two estimated glyphs is nearer: first that of the hit, then this one comes
           // again.
           candidate = estimated ? hit.glyph : glyph;
         }

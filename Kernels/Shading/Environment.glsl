@@ -1,5 +1,5 @@
 // Light from an image in longitude and latitude (Kernels/Environment.h), in two parts: what is below the threshold is
-// found by rays that scatter there, what exceeds it is aimed at.
+// found by rays that scatter there, what exceeds it is sampled as a light.
 #ifndef RTG_ENVIRONMENT
 #define RTG_ENVIRONMENT
 
@@ -21,7 +21,7 @@ vec3 EnvironmentSeen(const vec3 direction)
   return EnvironmentTexel(uvec2(clamp(at, 0.0, 1.0) * vec2(frame.environmentSize)));
 }
 
-// What a scattered ray finds, times the environment's colour and strength.
+// Radiance of a scattered ray, times the environment's color and strength.
 vec3 EnvironmentBelow(const vec3 direction)
 {
   return frame.environment * min(EnvironmentSeen(direction), vec3(frame.environmentThreshold));

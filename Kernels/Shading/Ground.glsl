@@ -1,7 +1,7 @@
-// A shadow catcher: a plane below the scene, black and as opaque as the share of its light that something keeps from
+// A shadow catcher: a plane below the scene, black and as opaque as the fraction of its light that is blocked from
 // it. Rays that start on surfaces do not see it.
 
-// Of the ground's light under local shading, which knows of no sky, the part that lights cast shadows in.
+// Fraction of the ground's light that comes from lights under local shading, which has no sky.
 const float groundLights = 0.5;
 
 // How much of its light the ground lacks.
@@ -18,7 +18,7 @@ bool MeetGround(const SceneRay ray, out SurfaceHit hit)
   float slope = dot(ray.direction, frame.groundNormal);
   float height = dot(ray.origin.hi, frame.groundNormal) - frame.groundHeight;
   hit.t = -height / slope;
-  // Below the way to `ray.origin`, too: a ray that passes by the scene's bounds has been moved anywhere.
+  // Below the path to `ray.origin`, too: a ray that passes by the scene's bounds has been moved anywhere.
   return slope < 0.0 && hit.t + ray.start >= max(frame.nearDepth, 0.0);
 }
 

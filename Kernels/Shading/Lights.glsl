@@ -1,5 +1,5 @@
 // One of the view's lights, with vtkLight's meaning, as it arrives at a position relative to the scene's origin. All
-// that tells kinds of lights apart (rtg::Light::Kind) is here.
+// that depends on the kind of light (rtg::Light::Kind) is here.
 #ifndef RTG_LIGHTS
 #define RTG_LIGHTS
 
@@ -7,11 +7,11 @@
 
 struct Incidence
 {
-  vec3 direction;    // the way the light travels, unit
+  vec3 direction;    // in which the light travels, unit
   float distance;    // from where it comes; far for lights at infinity
   float attenuation; // zero: it does not arrive
   bool alongView;    // it shines and is seen along the view axis, in perspective too
-  float spread;      // 1 - cosine of the angular radius that the light is seen under
+  float spread;      // 1 - cosine of the light's angular radius
 };
 
 // Light i in a loop over all of them.
@@ -45,7 +45,7 @@ Incidence ArriveAt(const LightRecord light, const vec3 position)
       float coneDot = dot(at.direction, light.direction);
       at.attenuation *= coneDot >= cosCone ? pow(coneDot, light.exponent) : 0.0;
     }
-    // The cone of directions in which a ball is seen: Shirley, Wang and Zimmerman, "Monte Carlo Techniques for Direct
+    // The cone that a ball subtends: Shirley, Wang and Zimmerman, "Monte Carlo Techniques for Direct
     // Lighting Calculations", ACM TOG 15(1), 1996.
     float sine = min(light.radius / at.distance, 1.0);
     at.spread = sine * sine / (1.0 + sqrt(1.0 - sine * sine));

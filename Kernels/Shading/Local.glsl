@@ -9,7 +9,7 @@ vec3 AmbientOf(const SurfaceHit hit)
   return set.ambient * (hit.coloured ? hit.colour.rgb : set.ambientColour);
 }
 
-// What the view's lights bring to a surface.
+// Light of the view's lights on a surface.
 struct LocalLight
 {
   vec3 diffuse;
@@ -40,7 +40,7 @@ vec3 ReflectLocal(const GlyphSetRecord set, const vec3 base, const vec3 ambient,
   return clamp(shaded, 0.0, 1.0);
 }
 
-// Colour of a hit, added to its ambient term. `position` is relative to the scene's origin, `direction` the ray's.
+// Color of a hit, added to its ambient term. `position` is relative to the scene's origin, `direction` the ray's.
 vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction, const vec3 ambient)
 {
   GlyphSetRecord set = SetRecord(hit.record);

@@ -2,7 +2,7 @@
 // layers from above: a coat, then metal or a dielectric's reflection, then diffuse. Sheen, subsurface and anisotropy
 // are left out.
 //
-// What is different from the paper: no layer loses or makes energy, so that a white surface in white light is
+// Different from the paper: no layer loses or makes energy, so that a white surface in white light is
 // invisible.
 // - Light that facets reflect onto each other goes to the layer below, and leaves metal as a diffuse lobe.
 // - What a layer reflects is missing below it.
@@ -23,7 +23,7 @@ struct Surface
   float roughness;     // [0, 1]
   float reflectance;   // of the dielectric at normal incidence
   vec3 specularColour; // tints the dielectric's reflection
-  float coat;          // [0, 1]: share of the coat's reflection
+  float coat;          // [0, 1]: weight of the coat's reflection
   float coatRoughness;
   float coatReflectance; // at normal incidence
   vec3 coatColour;       // tints what passes the coat
@@ -70,7 +70,7 @@ RTG_SHADING_FN float SmithLambda(vec3 v, float width)
   return 0.5f * tangent / (sqrt(1.0f + tangent) + 1.0f);
 }
 
-// Share of facets with normal m that light towards `to` leaves unblocked, of those that `from` sees.
+// Fraction of facets with normal m visible from `to`, of those visible from `from`.
 RTG_SHADING_FN float EscapeProbability(vec3 from, vec3 to, float width)
 {
   if (to.z <= 0.0f)
@@ -125,7 +125,7 @@ RTG_SHADING_FN float DiffuseAlbedo(float c, float r)
   return 1.0f + a + FifthPower(1.0f - c) * (b + ab);
 }
 
-// Fresnel colour of metal at a facet; and of metal that reflects light a second time, on average over all angles.
+// Fresnel color of metal at a facet; and of metal that reflects light a second time, on average over all angles.
 RTG_SHADING_FN vec3 MetalFresnel(vec3 base, float cosine)
 {
   return base + (vec3(1.0f) - base) * FifthPower(1.0f - min(abs(cosine), 1.0f));
@@ -148,7 +148,7 @@ RTG_SHADING_FN vec3 CoatTint(Surface surface)
   return vec3(1.0f) + surface.coat * (surface.coatColour - vec3(1.0f));
 }
 
-// About what share of light from all around a surface seen at that angle sends back, all layers together: as if each
+// Approximate fraction of environment light that a surface reflects at that angle, all layers together: as if each
 // were smooth. White stays white.
 RTG_SHADING_FN vec3 AlbedoSeen(Surface surface, float cosine)
 {
@@ -201,7 +201,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
   return weight * surface.base * (DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
 }
 
-// What arrives from `to`, a given direction, per unit of irradiance across it: the density times the cosine.
+// Reflected radiance from `to`, a given direction, per unit of irradiance across it: the density times the cosine.
 RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers u)
 {
   vec3 sum = vec3(0.0f);

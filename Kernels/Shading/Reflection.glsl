@@ -1,14 +1,14 @@
-// What surfaces of ambient occlusion and path tracing give off and reflect, and the sky that lights them, as light.
+// Emission, reflection and sky of ambient occlusion and path tracing, as linear light.
 #ifndef RTG_REFLECTION
 #define RTG_REFLECTION
 
-// Radiance that comes from a unit direction where nothing is in the way and there is no environment image.
+// Radiance that comes from a unit direction of the sky, without an environment image.
 vec3 SkyRadiance(const vec3 direction)
 {
   return frame.environment * (1.0 + dot(direction, frame.skySlope));
 }
 
-// ParaView's ambient term is light that a surface gives off whatever shines on it; so is all that is shown without
+// ParaView's ambient term is emitted light; so is all that is shown without
 // lighting.
 vec3 EmissionOfHit(const SurfaceHit hit)
 {
@@ -22,7 +22,7 @@ vec3 EmissionOfHit(const SurfaceHit hit)
   return emission;
 }
 
-// What remains, as a fraction, of the reflection of a surface of that albedo: no material is as white as paper on a
+// Factor of the reflection of a surface of that albedo: no material is as white as paper on a
 // screen, and light between surfaces that were would never end. Colors that stand for values stay.
 float AlbedoScale(const SurfaceHit hit, const vec3 albedo)
 {

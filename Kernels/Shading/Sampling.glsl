@@ -5,7 +5,7 @@
 #include "Sobol.glsl"
 
 // Sample s >= 1 in [0,1)^2: the R2 sequence (Roberts 2018, the plastic number's additive recurrence) started at the
-// pixel's centre, so that with sample 0 there the first samples spread evenly round it. In integers, of which the
+// pixel's center, so that with sample 0 there the first samples spread evenly round it. In integers, of which the
 // overflow is the recurrence's own: floats would round the places of late samples to a coarse grid.
 vec2 PixelSample(const uint s)
 {
@@ -13,8 +13,8 @@ vec2 PixelSample(const uint s)
   return vec2(UnitInterval(bits.x), UnitInterval(bits.y));
 }
 
-// The pairs in use. Those that matter together share a sequence, and the place in the pixel and the first direction its
-// best four dimensions.
+// The pairs in use. Those that matter together are of one sequence, and the place in the pixel and the first direction
+// its best four dimensions.
 const uint pairPixel = 0u;
 const uint pairLens = pairsPerSequence * 0x2000u; // in a sequence of its own
 // of one bounce
@@ -62,7 +62,7 @@ vec2 SamplePair(const SampleNumber number, const uint pair)
     bits = ScrambledSobol(number.index, sequenceSeed, pair % pairsPerSequence);
     if (pair == pairPixel || pair == pairLens)
     {
-      // Sample 0 goes through the pixel's centre and the lens's. A shift by digits puts it there and keeps the net;
+      // Sample 0 goes through the pixel's center and the lens's. A shift by digits puts it there and keeps the net;
       // turned round in half of the pixels, because such a net leans to one side.
       bits ^= ScrambledSobol(0u, sequenceSeed, pair % pairsPerSequence);
       bits ^= (sequenceSeed & 1u) != 0u ? 0x7fffffffu : 0x80000000u;

@@ -27,7 +27,7 @@ uint PlaceAmongTimes(const uint index)
 // Without strata the times of a pixel are an Owen-scrambled radical inverse: any aligned 2^k samples have one
 // in each of 2^k equal parts. Their first frame.sharedTimeBits binary digits are scrambled alike for all pixels, so
 // that in one sample all rays fall into one part, where they meet one version of the glyphs' trees and, on CPU devices,
-// neighbouring lanes go the same way through it; the digits after them belong to each pixel.
+// neighboring lanes take the same path through it; the digits after them belong to each pixel.
 float ShutterTime(const SampleNumber number)
 {
   uint pixelSeed = Hash(timeSeed ^ Hash(number.pixel.x, number.pixel.y));

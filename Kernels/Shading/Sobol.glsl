@@ -76,7 +76,7 @@ RTG_SHADING_FN uint TimesZeta(uint digits)
 }
 
 // Faure's generator matrix of the field's element e, times a sample's number: the digits are a polynomial's
-// coefficients, and what is asked for are those of f(t + e). Of halves f0 + t^s f1 the lower one gains e^s f1, then
+// coefficients, and the wanted ones are those of f(t + e). Of halves f0 + t^s f1 the lower one gains e^s f1, then
 // each half for itself.
 RTG_SHADING_FN uint ShiftedByOmega(uint number)
 {

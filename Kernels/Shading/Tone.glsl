@@ -1,4 +1,4 @@
-// From light to display colours and back.
+// From light to display colors and back.
 #ifndef RTG_TONE
 #define RTG_TONE
 

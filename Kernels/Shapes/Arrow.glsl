@@ -78,7 +78,7 @@ RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head
   {
     return cone;
   }
-  // Cone and ball share the plane of the circle where they touch; each ends there, since next to it their
+  // Cone and ball meet in the plane of their circle of tangency; each ends there, since next to it their
   // surfaces are too close to tell which is outside.
   Span cap = Slab(x, dx, Word(real(0.0)), start, RTG_HEAD_BALL, startFace);
   return Hull(cone, Intersection(cap, BallSpan(ray, head.ball, head.ball, RTG_HEAD_BALL)));
@@ -105,7 +105,7 @@ RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin
     headPart = HeadSpan(local, glyph, head);
   }
 
-  // Shaft and head share the plane of the head's base, to the bit: their spans meet there or are apart.
+  // Shaft and head meet in the plane of the head's base, to the bit: their spans meet there or are apart.
   bool apart = IsEmpty(shaftPart) || IsEmpty(headPart) || IsLess(headPart.sOut, shaftPart.sIn) ||
     IsLess(shaftPart.sOut, headPart.sIn);
   Span first = Hull(shaftPart, headPart);

@@ -2,8 +2,8 @@
 // that touches the tip.
 //
 //   shaft: radius Rs, from the tail to the head's base
-//   head:  base disc of radius R at distance H from the tip, sphere of radius a centred at distance a
-//          from the tip, and the cone that touches both; so the tip lies at x = 1 whatever a is.
+//   head:  base disc of radius R at distance H from the tip, sphere of radius a centerd at distance a
+//          from the tip, and the cone that touches both; so the tip lies at x = 1 for every a.
 //   a = rounding^2 R H / (R + sqrt(R^2 + H^2)). The fraction is the inradius of the sharp head's profile:
 //          the largest sphere that fits between the head's base and sides, hence always narrower than
 //          the base. rounding = 0 leaves vtkArrowSource's cone, rounding = 1 gives a bullet; the square keeps
@@ -62,7 +62,7 @@ RTG_FN bool HasHead(const Glyph glyph)
 // The head in the unit frame, as functions of the distance from the tip.
 struct ArrowHead
 {
-  DoubleWord ball;  // a, the radius of the sphere and the distance of its centre from the tip
+  DoubleWord ball;  // a, the radius of the sphere and the distance of its center from the tip
   DoubleWord slope; // of the cone's radius
   real coneStart;   // where the cone touches the sphere
 };
@@ -92,9 +92,9 @@ RTG_FN ArrowHead HeadOfArrow(const Glyph glyph)
   DoubleWord sideSquared = Add(radiusSquared, TwoProduct(height, height));
   DoubleWord a =
     Divide(Multiply(TwoProduct(radius, height), TwoProduct(rounding, rounding)), Add(SquareRoot(sideSquared), radius));
-  DoubleWord centre = Minus(Add(a, -height)); // distance between the sphere's centre and the base
+  DoubleWord centre = Minus(Add(a, -height)); // distance between the sphere's center and the base
 
-  // The line from the base's rim (0, R) that touches the circle (centre, a): its unit normal is
+  // The line from the base's rim (0, R) that touches the circle (center, a): its unit normal is
   // (t R - a c, a R + t c) / (R^2 + c^2) with t the tangent's length, t^2 = R^2 + c^2 - a^2.
   DoubleWord twoHeightA = Multiply(a, real(2.0) * height);
   DoubleWord tangent = SquareRoot(Subtract(sideSquared, twoHeightA));

@@ -1,4 +1,4 @@
-// Box of side 1, centred.
+// Box of side 1, centerd.
 #ifndef RTG_BOX
 #define RTG_BOX
 

@@ -1,4 +1,4 @@
-// Cylinder along y, height 1, radius 0.5, centred, with its caps.
+// Cylinder along y, height 1, radius 0.5, centerd, with its caps.
 #ifndef RTG_CYLINDER
 #define RTG_CYLINDER
 

@@ -14,7 +14,7 @@
 #define RTG_UNROLL [[unroll]]
 #define RTG_VALUES FloatArray // HostDevice.h
 #define RTG_VALUE(glyph, index) glyph.values.at[glyph.firstValue + (index)]
-#define RTG_DEGREE(glyph) int(degree) // the largest of a program's polynomials, which it is specialised for
+#define RTG_DEGREE(glyph) int(degree) // the largest of a program's polynomials, which it is specialized for
 
 #define RTG_ROUNDOFF 5.9604644775390625e-8 // u = 2^-24, half an ulp of 1
 #define RTG_SPLITTER 4097.0                // 2^12 + 1, Dekker's constant for 24 bits

@@ -1,10 +1,10 @@
-// What the shapes with round cross-sections share.
+// Common code of shapes with round cross-sections.
 #ifndef RTG_DISC
 #define RTG_DISC
 
 #include "Span.glsl"
 
-// Half the extents of the ellipse with the given half-axes (unit form's frame) along the world's axes.
+// Half the extents of the ellipse with the given half-axes (unit glyph's frame) along the world's axes.
 RTG_FN real3 DiscReach(const Glyph glyph, const real3 u, const real3 v)
 {
   real3 a = RotateToWorld(glyph, u);

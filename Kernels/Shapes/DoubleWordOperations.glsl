@@ -66,7 +66,7 @@ RTG_FN RTG_WORDS Minus(const RTG_WORDS a)
   return minus;
 }
 
-// a + b with relative error below 2 u^2, whatever cancels. JMP algorithm 4 (DWPlusFP).
+// a + b with relative error below 2 u^2, also under cancellation. JMP algorithm 4 (DWPlusFP).
 RTG_FN RTG_WORDS Add(const RTG_WORDS a, const RTG_WORD b)
 {
   RTG_WORDS s = TwoSum(a.hi, b);
@@ -74,7 +74,7 @@ RTG_FN RTG_WORDS Add(const RTG_WORDS a, const RTG_WORD b)
   return FastTwoSum(s.hi, v);
 }
 
-// a + b with relative error below 3 u^2, whatever cancels. JMP algorithm 6 (AccurateDWPlusDW).
+// a + b with relative error below 3 u^2, also under cancellation. JMP algorithm 6 (AccurateDWPlusDW).
 RTG_FN RTG_WORDS Add(const RTG_WORDS a, const RTG_WORDS b)
 {
   RTG_WORDS s = TwoSum(a.hi, b.hi);

@@ -1,4 +1,4 @@
-// What plain arithmetic says for certain about a ray and a glyph. Traversals ask it first: most candidates end here,
+// Hits and misses that plain float proves. Traversals call it first: most candidates end here,
 // and of the others most need no exact t before the nearest is known.
 #ifndef RTG_ESTIMATE
 #define RTG_ESTIMATE
@@ -21,7 +21,7 @@ struct Enclosure
   bool inWorld; // a plain sphere: `radius` is the world's
 };
 
-// That of a shape that reaches from -size / 2 to size / 2 along each of its axes and fills neither cube nor ball.
+// That of a shape from -size / 2 to size / 2 along each of its axes that fills neither cube nor ball.
 RTG_FN Enclosure BoxedEnclosure(const Glyph glyph)
 {
   Enclosure outer;

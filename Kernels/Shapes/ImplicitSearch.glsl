@@ -7,10 +7,10 @@
 // inside, the same holds for -f. Straight lines below it through both ends leave of a window what lies between their
 // zeros; if that is nothing, there is no crossing: that is proven, nothing is sampled. For a convex f the line at a is
 // Newton's, which never passes the first crossing. Where the signs at a and b differ and the family knows that there
-// is but one crossing, that is it. Else the window is cut where the lines leave the most doubt. What is less than
+// is but one crossing, that is it. Else the window is cut where the bounds are loosest. What is less than
 // rounding, a sign at the end of a window or a window in which f touches zero, is left to double words.
 //
-// Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or dawdles.
+// Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or stalls.
 // The last steps are done in double words: f is then known to about 1e-13, which a grazing ray wants.
 //
 // Why it cannot loop: each turn evaluates f or takes a window away, and evaluations are counted. Behind the last one
@@ -59,7 +59,7 @@ RTG_FN RTG_SEARCH NextWindow(const RTG_SEARCH search)
   return next;
 }
 
-// What is in a window. next: where to look, from a on. spent: by the signs at its ends alone.
+// Crossings in a window. next: where to search, from a on. spent: out of steps, by the signs at its ends alone.
 RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, const bool spent, RTG_OUT(real) next)
 {
   real way = a.outside ? real(1.0) : real(-1.0);
@@ -91,7 +91,7 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, con
     return RTG_SETTLE;
   }
   real meet = (fa + window.slopeB * width - fb) / (window.slopeB - window.slopeA);
-  // Where both ends are within rounding, cutting tells nothing new, however deep the lines let f go in between.
+  // Where both ends are within rounding, cutting gives no new bound, however deep the lines let f go in between.
   real depth = max(abs(a.f), abs(b.f));
   depth = changes ? depth : min(depth, -(fa + window.slopeA * meet));
   real middle = real(0.5) * (left + right);
@@ -103,7 +103,7 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, con
   return settles ? RTG_SETTLE : RTG_SPLIT;
 }
 
-// Walks to the next window that has a crossing, or may have one that only double words tell. Each turn evaluates f
+// Walks to the next window that has a crossing, or may have one that only double words resolve. Each step evaluates f
 // once or takes a window away.
 RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
 {
@@ -203,10 +203,11 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
   return found;
 }
 
-// The zero of f on a part of the ray, `low` to `high` from its origin, in double words. At low way f is positive.
-// `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is known, or, where
-// that leaves the bracket or dawdles, bisection's. Else the least of f is looked for by its slopes, which change their
-// sign once. False: there is none. Where it is wanted, the gradient is that at the zero: one more evaluation.
+// The zero of f on a part of the ray, `low` to `high` from its origin, in double words. At `low` f times the sign `way`
+// is positive. `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is
+// known, or, where that leaves the bracket or stalls, bisection's. Else the least of f is searched by its slopes,
+// which change their sign once. False: there is none. Where it is wanted, the gradient is that at the zero: one more
+// evaluation.
 RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes,
   const bool wantsGradient, RTG_OUT(LocalRay) at, RTG_OUT(real3) gradient)
 {

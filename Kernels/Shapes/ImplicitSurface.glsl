@@ -1,11 +1,11 @@
-// What rays and implicit surfaces of any family have in common: f is positive outside, its zeros along a ray are the
+// Common code of implicit surfaces: f is positive outside, its zeros along a ray are the
 // crossings. A family gives a field, which is f along one ray (RTG_FIELD, made from a Chord), with the `accuracy` that
 // is wanted of the ray's parameter and the width of the windows in which it counts as convex (`bowl`), and says of it
 //
 //   RTG_PROBE ProbeAt(field, where, axis)             plain arithmetic's f at one point, with its slope and rounding
 //   RTG_PROBE WithSign(field, unit, probe)            the same with a certain sign, from double words
 //   DoubleWord NextBreak(field, after, axis)          the next point where the ray is to be cut into pieces
-//   Window WindowOf(field, a, b, way, width)          what the probes at the ends of a part of a piece tell of f in it
+//   Window WindowOf(field, a, b, way, width)          bounds of f in a part of a piece from the probes at its ends
 //   ImplicitPoint PointAt(field, at)                  f in double words, with two derivatives and the gradient
 //
 // ImplicitSearch.glsl does the rest for each family: isolates the crossings, brackets them, refines them in double
@@ -158,7 +158,7 @@ RTG_FN DoubleWord NextPlane(const Planes planes, const DoubleWord after, const D
   return next;
 }
 
-// What a family knows of f on a window [a, b], at whose start `way` f is positive.
+// A family's bounds of f on a window [a, b], at whose start f times the sign `way` is positive.
 struct Window
 {
   bool empty;  // f has no zero if its signs at the ends are the same
@@ -171,7 +171,7 @@ struct Window
 
 #define RTG_EMPTY 0
 #define RTG_UNIQUE 1 // it has one crossing, which plain arithmetic finds
-#define RTG_SETTLE 2 // only double words can tell
+#define RTG_SETTLE 2 // only double words can decide
 #define RTG_SPLIT 3
 
 // How far f may be from the parabola that its derivatives make: its third derivative, rather too large, and how far
@@ -198,7 +198,7 @@ struct ImplicitPoint
   real3 gradient; // in absolute coordinates
 };
 
-// What is found: the ray with its origin at the crossing, t, and where it is wanted the gradient, in absolute
+// A crossing: the ray with its origin at the crossing, t, and where it is wanted the gradient, in absolute
 // coordinates.
 struct SurfaceCrossing
 {

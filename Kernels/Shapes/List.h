@@ -16,7 +16,7 @@
   ENTRY(11, RoundCone)                                                                                                 \
   ENTRY(12, Polynomial)
 
-// The triangles of a mesh, which has no analytic form.
+// A mesh, which is no analytic shape.
 #define RTG_MESH 7
 
 #endif

@@ -1,10 +1,10 @@
-// What a shape is asked about, and the way from the world to the glyph's own frame without loss.
+// A ray and a glyph, and the transform from the world to the glyph's own frame without loss.
 #ifndef RTG_LOCAL_RAY
 #define RTG_LOCAL_RAY
 
 #include "DoubleWord.glsl"
 
-// The exact origin is origin + originLow, |originLow| <= ulp(origin) / 2; likewise centres.
+// The exact origin is origin + originLow, |originLow| <= ulp(origin) / 2; likewise centers.
 struct GlyphRay
 {
   real3 origin;
@@ -16,8 +16,8 @@ struct Glyph
 {
   real3 centre;
   real3 centreLow;
-  real3 size;     // full extents along the unit form's axes, > 0
-  real4 rotation; // unit quaternion (x, y, z, w), unit form to world; used only when turned
+  real3 size;     // full extents along the unit glyph's axes, > 0
+  real4 rotation; // unit quaternion (x, y, z, w), unit glyph to world; used only when turned
   bool turned;
   bool sameSize; // size.x == size.y == size.z is known
   real4 arrow;   // shaft radius, tip radius, tip length, tip rounding
@@ -77,7 +77,7 @@ RTG_FN DoubleWord SquaredNorm(const real4 q)
   return AddSloppy(xy, zw);
 }
 
-// The inverse rotation of the normalised quaternion, a + 2 (u x (u x a) - w (u x a)) / |q|^2, in
+// The inverse rotation of the normalized quaternion, a + 2 (u x (u x a) - w (u x a)) / |q|^2, in
 // double words: a needle of 1 : 1e-6 notices an angle of 1e-13.
 RTG_FN DoubleWord3 RotateToLocal(const real4 q, const DoubleWord twoOverNorm, const DoubleWord3 a)
 {
@@ -115,7 +115,7 @@ RTG_FN real3 RotateToLocal(const Glyph glyph, const real3 a)
   return Rotate(-real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
 }
 
-// True only if the line passes the ball around centre + middle: most candidates of a ray end here, in
+// True only if the line passes the ball around center + middle: most candidates of a ray end here, in
 // plain arithmetic. The rounding of v, of s d and of their sum moves p by less than 12 u (|v| + radius).
 RTG_FN bool MissesBall(const GlyphRay ray, const Glyph glyph, const real3 middle, const real radius)
 {
@@ -127,8 +127,8 @@ RTG_FN bool MissesBall(const GlyphRay ray, const Glyph glyph, const real3 middle
   return dot(p, p) > reach * reach;
 }
 
-// Subtract the centre exactly and go along the ray to where it passes the centre, still in the world's
-// frame: from here on errors are relative to the distance between ray and centre.
+// Subtract the center exactly and go along the ray to where it passes the center, still in the world's
+// frame: from here on errors are relative to the distance between ray and center.
 RTG_FN LocalRay NearRay(const GlyphRay ray, const Glyph glyph)
 {
   DoubleWord3 origin;

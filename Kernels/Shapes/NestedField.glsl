@@ -3,12 +3,12 @@
 // A glyph with one profile, beta = c <= 2, and alpha <= 2 is convex: its gauge g = ||(||(x, y)||_p, z)||_q is a norm
 // and so convex along the ray: f = g - 1, and the ray is one piece. Others have f = log2 N, N = ||(x / Rx, y / Ry)||_p.
 // Inside one octant x / Rx along the ray has at most one extremum, at z^(1-q) = (z x' - x z') / x', and so
-// has y / Ry. The ray is cut there and at the three coordinate planes, whose order double words tell: at most twelve
+// has y / Ry. The ray is cut there and at the three coordinate planes, whose order double words decide: at most twelve
 // pieces, on each of which both quotients are monotone. What a window of a piece holds is known from its ends:
 //   - Both quotients rise or both fall, or one is all there is: N is monotone.
 //   - N lies between the p-norms of the smaller and of the larger quotients at the ends: all outside, or all inside.
 //   - The slope of N^p / p is |x|^(p-1) Rx^-p x' + (x / Rx)^p fall z' and the same of y, whose factors are monotone, so
-//     that the ends bound it: N may be monotone, or lines from the ends tell that it does not come near 1.
+//     that the ends bound it: N may be monotone, or lines from the ends prove that it does not come near 1.
 // Every value comes with a bound of its rounding. Windows in which the quotients and the falls of their profiles change
 // by less than 0.4 % count as having one extremum at most.
 #ifndef RTG_NESTED_FIELD
@@ -41,7 +41,7 @@ struct NestedField
   Planes planes;
 };
 
-// What plain arithmetic knows of the surface at one point of the ray.
+// The surface at one point of the ray in plain float.
 struct NestedProbe
 {
   DoubleWord where;
@@ -103,7 +103,7 @@ RTG_FN real SafeExp2(const real x)
   return x > real(-100.0) ? exp2(min(x, real(100.0))) : real(0.0);
 }
 
-// log2 of the p-norm of two numbers that are given by their logarithms, and the share of each in the sum of powers.
+// log2 of the p-norm of two numbers that are given by their logarithms, and the fraction of each in the sum of powers.
 RTG_FN real LogNorm(const real a, const real b, const real p, RTG_OUT(real2) share)
 {
   real high = max(a, b);
@@ -128,7 +128,7 @@ RTG_FN real PlainProfile(const real z, const real logZ, const real q, RTG_OUT(re
   return log2(rest) / q;
 }
 
-// What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
+// Rounding of log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
 // z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
 RTG_FN real ProfileDoubt(const real fall, const real z, const real q, const real rounding, const bool outside)
 {
@@ -351,7 +351,7 @@ RTG_FN DoubleWord Magnitude(const DoubleWord a)
   return a;
 }
 
-// log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the share of each in the sum of powers. A rounded p would be
+// log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the fraction of each in the sum of powers. A rounded p would be
 // another surface, as a grazing ray notices.
 RTG_FN DoubleWord LogNorm(
   const DoubleWord a, const DoubleWord b, const real exponent, RTG_OUT(DoubleWord) shareA, RTG_OUT(DoubleWord) shareB)
@@ -450,7 +450,7 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
   }
   else
   {
-    // On a flat end x and y tell 1 - z^q = rho^q better than z.
+    // On a flat end x and y give 1 - z^q = rho^q more exactly than z.
     share.z *= field.twoProfiles ? real(1.0) : exp2(clamp(-field.q * norm.hi, real(-60.0), real(60.0)));
   }
 

@@ -40,7 +40,7 @@ struct PolynomialSearch
   real high;
   real near;
   bool turned; // whether h has its extreme at `a`
-  // Whether there is one only double words tell: `near` is where the surface comes closest and, where it turns back
+  // Only double words decide whether there is one: `near` is where the surface comes closest and, where it turns back
   // there, else where it goes farthest.
   bool touches;
   bool turnsBack;
@@ -369,7 +369,7 @@ RTG_FN int SettleCrossing(const Glyph glyph, const LocalRay ray, const Polynomia
       high = before ? high : real(0.0);
       step = -g / slope;
       bool newton = slope < real(0.0) && step >= low && step <= high && (i < 24 || (i & 1) == 0);
-      // What Newton's step leaves is half the second derivative times its square, over the slope.
+      // The error after Newton's step is half the second derivative times its square, over the slope.
       found = newton && step * step * bend <= real(1e-11) * distance * distance * -slope;
       bool narrow = !(high - low > real(1e-11) * distance);
       found = found || (narrow && wasBefore && wasBehind);
@@ -460,7 +460,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
     more = more && RayParameter(chord.ray, Word(chord.scale * low)).hi <= tMax;
     if (more)
     {
-      // What ends before tMin counts as a crossing where plain arithmetic is certain.
+      // An end before tMin counts as a crossing where plain float is certain.
       int settled = search.touches ? RTG_NONE : RTG_ZERO;
       if (RayParameter(chord.ray, Word(chord.scale * high)).hi >= tMin)
       {

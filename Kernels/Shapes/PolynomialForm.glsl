@@ -1,7 +1,7 @@
 // A homogeneous polynomial f of even degree k in the coordinates of a glyph's own frame, of which |f| <= 1 on the unit
 // sphere, and its restriction to a plane through the center.
 //
-// A glyph's values are half the extents of its unit form along its axes and then the (k + 1) (k + 2) / 2 coefficients
+// A glyph's values are half the extents of its unit glyph along its axes and then the (k + 1) (k + 2) / 2 coefficients
 // of x^a y^b z^c, a + b + c = k, by falling a and, where that is the same, by falling b: coefficient
 // (b + c) (b + c + 1) / 2 + c.
 #ifndef RTG_POLYNOMIAL_FORM

@@ -45,7 +45,7 @@ RTG_FN bool IntersectGlyph(
   return IntersectGlyph(shape, ray, glyph, tMin, tMax, false, t, normal);
 }
 
-// What the glyph lies in.
+// A ball and a box round the glyph.
 RTG_FN Enclosure GlyphEnclosure(const RTG_SHAPE shape, const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
@@ -80,7 +80,7 @@ RTG_FN real3 GlyphNormal(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
   return found ? normal : -normalize(ray.direction);
 }
 
-// Axis-aligned bounds in the frame of the centres, tight but for rounding: pad them before use.
+// Axis-aligned bounds in the frame of the centers, tight but for rounding: pad them before use.
 RTG_FN void GlyphBounds(const RTG_SHAPE shape, const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   lower = glyph.centre;

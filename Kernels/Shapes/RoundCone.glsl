@@ -136,7 +136,7 @@ RTG_FN Span CutFlat(const LocalRay ray, const RoundConeForm form, const Glyph gl
 // circle. With S = |p - joint|^2 - radius^2, and b the distance of p from the plane of such a circle over the cosine of
 // the piece's angle, the quadric of the piece's side is S - b^2 (it vanishes with its gradient where S = b = 0). Two
 // such quadrics meet where the squares of their b are equal, which is in planes: so a comparison that is linear in p
-// tells on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
+// decides on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
 // `own`: b of this piece, for points of its side; zero for points of the ball at the joint. `ties`: whether the next
 // piece has the points in the plane itself.
 RTG_FN bool InNextPiece(const real3 p, const real3 joint, const real radius, const real4 next, const bool touches,
@@ -164,7 +164,7 @@ RTG_FN bool InNextPiece(const real3 p, const real3 joint, const real radius, con
   return inside && (along <= run + next.w * sine || inFarBall);
 }
 
-// Whether a crossing at p, in the frame of the form, lies inside the rest of the line.
+// Whether a crossing at p, in the glyph's frame, lies inside the rest of the line.
 RTG_FN bool IsInner(const RoundConeForm form, const Glyph glyph, const real3 p, const int face)
 {
   real unit = RoundConeUnit(glyph);
@@ -222,7 +222,7 @@ RTG_FN bool IsInPiece(const GlyphRay ray, const Glyph glyph, const real t)
   return held && !(glyph.before.w > real(0.0) && InHull(p, -last, first, before, glyph.before.w));
 }
 
-// The ray in the frame of the form.
+// The ray in the glyph's frame.
 RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const RoundConeForm form, const real tMin,
   const real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
@@ -249,7 +249,7 @@ RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const Round
     innerIn = IsInner(form, glyph, PointAt(local, span.sIn), span.faceIn);
     innerOut = IsInner(form, glyph, PointAt(local, span.sOut), span.faceOut);
   }
-  // What is left of the two crossings.
+  // The remaining ones of the two crossings.
   Span kept = span;
   if (innerIn)
   {

@@ -248,7 +248,7 @@ RTG_FN real3 PointAt(const LocalRay ray, const DoubleWord s)
   return Add(ray.origin, Multiply(ray.direction, along)).hi;
 }
 
-// The way from the glyph's centre to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's
+// The vector from the glyph's center to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's
 // size beside what the rounding of t does.
 RTG_FN real3 FromCentre(const GlyphRay ray, const Glyph glyph, const real t)
 {

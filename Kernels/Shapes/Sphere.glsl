@@ -55,7 +55,7 @@ RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centreX, const DoubleW
 }
 
 // The ray in the frame where the ellipsoid is the unit sphere, its origin moved once more: what is
-// nearest to the centre in the world is far from it here when the sizes differ much.
+// nearest to the center in the world is far from it here when the sizes differ much.
 RTG_FN LocalRay ToUnitSphere(const LocalRay ray, const real3 halfSize)
 {
   LocalRay unit;

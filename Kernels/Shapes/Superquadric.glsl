@@ -47,7 +47,7 @@ struct SuperquadricProbe
   real3 slopes; // of the terms along the ray; RTG_CUSP at a cusp
 };
 
-// How well a parabola follows the term (p + s d)^e: its third derivative, and how far that tells the truth. For
+// How well a parabola follows the term (p + s d)^e: its third derivative, and the radius in which that holds. For
 // e >= 3 it stays below its value at 0.1 up to there.
 RTG_FN void ParabolaAxis(
   const real a, const real d, const real e, const real slope, const real rate, RTG_OUT(real) third, RTG_OUT(real) reach)
@@ -101,7 +101,7 @@ RTG_FN SuperquadricProbe ProbeAt(const SuperquadricField field, const DoubleWord
 
 RTG_FN void ZeroOfAxis(const real o, const real d, const real reach, RTG_OUT(real) zero, RTG_OUT(real) base)
 {
-  // Near its plane a coordinate is known to full relative precision as a multiple of the way from there.
+  // Near its plane a coordinate is known to full relative precision as a multiple of the distance from there.
   bool crosses = abs(o) <= reach * abs(d);
   zero = crosses && d != real(0.0) ? -o / d : real(0.0);
   base = crosses && d != real(0.0) ? real(0.0) : o;
@@ -265,7 +265,7 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at)
   return PointAt(field, at, -1, real(0.0));
 }
 
-// At a cusp another plane may be closer than double words can tell: then the glyph may be less than it seems.
+// At a cusp another plane may be closer than double words can resolve: then the glyph may be less than it seems.
 RTG_FN SuperquadricProbe WithSign(const SuperquadricField field, const LocalRay unit, const SuperquadricProbe probe)
 {
   SuperquadricProbe certain = probe;

@@ -32,7 +32,7 @@ public:
     Batch* paused_;
   };
 
-  /// Bytes that Stage() is asked for at once.
+  /// Bytes of one call of Stage().
   static constexpr std::size_t mostAtOnce = std::size_t(4) << 20;
 
   /// Host memory, to be filled before the next call, whose content will be copied into `target` from `offset` on.

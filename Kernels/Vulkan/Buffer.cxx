@@ -48,7 +48,7 @@ std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowe
 
 [[noreturn]] void ThrowTooLarge(const Device::State& device, std::size_t size, vk::DeviceSize most)
 {
-  throw Error("Ray Traced Glyphs: " + std::to_string(size >> 20) + " MiB are to lie in one piece, of which '" +
+  throw Error("Ray Traced Glyphs: " + std::to_string(size >> 20) + " MiB are needed in one buffer, of which '" +
     device.name + "' allows " + std::to_string(most >> 20) +
     " MiB. Show fewer glyphs in one display (GlyphMode, MaximumNumberOfGlyphs), or make the picture smaller.");
 }

@@ -55,7 +55,7 @@ bool HasRayQueries(const vk::raii::PhysicalDevice& physical)
     features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery;
 }
 
-// What the device lacks to trace, in words; empty: nothing.
+// Features that the device lacks to trace, in words; empty: none.
 std::string Lacks(const vk::raii::PhysicalDevice& physical)
 {
   const std::uint32_t version = physical.getProperties().apiVersion;
@@ -161,7 +161,7 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
     return *index;
   }
 
-  // A GPU first, integrated or not; else whatever traces.
+  // A GPU first, integrated or not; else any device that traces.
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
@@ -227,7 +227,7 @@ vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
   return vk::raii::Device(physical, info);
 }
 
-// What the driver says of itself names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
+// The driver's description names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
 bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
 {
   constexpr int firstVersion = 21;
@@ -239,7 +239,7 @@ bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
     std::sscanf(compiler, "LLVM %d", &version) == 1 && version >= firstVersion;
 }
 
-// Runs `work`; turns whatever goes wrong with Vulkan's loader and drivers into an rtg::Error.
+// Runs `work`; throws failures of Vulkan's loader and drivers as rtg::Error.
 template <class Work>
 void StartingVulkan(Work&& work)
 {
@@ -417,7 +417,7 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   }
   catch (const vk::DeviceLostError&)
   {
-    // What was handed over may count as pending until somebody waits; it is given back when this function is left.
+    // A submission may count as pending until a wait; it is released when this function returns.
     try
     {
       const std::lock_guard<std::mutex> lock(this->queueMutex);

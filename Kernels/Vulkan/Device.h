@@ -17,7 +17,7 @@ public:
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 
-  /// Another device of the same kind, which nobody shares: for what would hold up the launches of that one. It may
+  /// Another device of the same kind, for work that would delay this one's launches; not shared. It may
   /// leave the programs that earlier processes have kept alone.
   static std::shared_ptr<Device> Another(bool keepsPrograms = true);
 
@@ -26,7 +26,7 @@ public:
     std::string name;
     bool cpu = false;
   };
-  /// The device that Shared() would make: drivers are asked what there is, and none is made. Throws as Shared() does.
+  /// The device that Shared() would make; lists the drivers' devices and makes none. Throws as Shared() does.
   static Choice Chosen();
 
   ~Device();

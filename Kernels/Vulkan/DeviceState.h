@@ -50,12 +50,13 @@ struct Device::State
   /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied.
   /// Tests switch it off to have a CPU device treated like others.
   bool sharesMemory = false;
-  /// The driver has acceleration structures and ray queries. Of a GPU it tells whether hardware finds what rays meet: a
+  /// The driver has acceleration structures and ray queries. For a GPU this means ray-tracing hardware: a
   /// driver that emulates it, as NVIDIA's does, has ray-tracing pipelines, but no ray queries
   /// (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
   bool rayQueries = false;
-  /// Mesa's lavapipe with LLVM 21 and later: of the programs that walk own trees, which are the longest ones, it
-  /// compiles some wrongly. Which ones changes with every line of them; NormalsTest and the tests of pictures see it.
+  /// Mesa's lavapipe with LLVM 21 and later: of the programs that traverse the plugin's BVH, which are the longest
+  /// ones, it compiles some wrongly. Which ones changes with every line of them; NormalsTest and the tests of pictures
+  /// see it.
   bool miscompilesTrees = false;
   vk::PipelineStageFlags programStages; ///< in which programs run and structures are built
   std::atomic<bool> lost{ false };
@@ -75,7 +76,7 @@ struct Device::State
   /// Leaves on disk what the driver has compiled since, where that can be done. In any thread.
   void SavePrograms() noexcept;
 
-  /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error
+  /// Runs `work`; throws failures of Vulkan, and exhausted memory of the computer, as one rtg::Error
   /// that says what was being done.
   template <class Work>
   auto Guard(const char* doing, Work&& work) -> decltype(work())
@@ -95,7 +96,7 @@ struct Device::State
   }
 
 private:
-  // What the commands of one submission need, made once: drivers ask the system for memory to make it.
+  // Objects of one submission, made once: drivers ask the system for memory to make it.
   struct Submission
   {
     vk::raii::CommandPool pool{ nullptr };

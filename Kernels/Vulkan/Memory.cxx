@@ -13,7 +13,7 @@ namespace rtg
 namespace
 {
 
-/// Everything that structures, tables and programs ask of an address, whatever drivers say of their buffers.
+/// Enough for acceleration structures, tables and programs on every driver.
 constexpr vk::DeviceSize leastAlignment = 256;
 
 } // namespace
@@ -24,7 +24,7 @@ struct MemoryPiece::Block
   std::uint32_t type = 0;
   bool shared = false;
   void* mapped = nullptr;
-  std::map<vk::DeviceSize, vk::DeviceSize> free; ///< start -> size of what nobody holds
+  std::map<vk::DeviceSize, vk::DeviceSize> free; ///< start -> size of free ranges
   std::size_t pieces = 0;
 
   // First fit: pieces of a set come and go together.

@@ -52,8 +52,9 @@ public:
   Memory();
   ~Memory();
 
-  /// Small ones share blocks; a large one has a block of its own. Of the shared blocks of a kind that are empty one is
-  /// kept: each image needs some for a moment. Throws vk::SystemError, and nothing has changed then.
+  /// Small allocations are parts of common blocks; a large one has a block of its own. Of the shared blocks of a kind
+  /// that are empty one is kept: each image needs some for a moment. Throws vk::SystemError, and nothing has changed
+  /// then.
   MemoryPiece
   Allocate(const vk::raii::Device& device, const vk::MemoryRequirements& needs, std::uint32_t type, bool mapped);
 

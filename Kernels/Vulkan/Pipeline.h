@@ -10,7 +10,7 @@
 namespace rtg
 {
 
-/// The specialisation constants of a program (Variants.h), by which Specialize() makes it.
+/// The specialization constants of a program (Variants.h), by which Specialize() makes it.
 struct Constants
 {
 #define RTG_FIELD(id, type, name) std::uint32_t name = 0;
@@ -25,7 +25,7 @@ struct Constants
 constexpr std::uint32_t probeProgram = RTG_SHADINGS(RTG_COUNT);
 #undef RTG_COUNT
 
-/// A program, and what it is specialised for.
+/// A program, and what it is specialized for.
 struct Specialization
 {
   std::uint32_t program = 0; ///< number of a shading, or probeProgram

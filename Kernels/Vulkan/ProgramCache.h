@@ -1,4 +1,4 @@
-// What the driver has compiled, kept on disk from process to process.
+// The driver's compiled programs, kept on disk from process to process.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,19 @@ namespace rtg
 /// RayTracedGlyphs in $XDG_CACHE_HOME (Windows: %LOCALAPPDATA%) or ~/.cache. None when nothing says where.
 std::optional<std::filesystem::path> CacheFolder();
 
-/// One file of a driver's data. It is only ever a shortcut: whatever is wrong with file or folder, there are no data,
-/// and nobody hears of it.
+/// One file of a driver's data. If anything is wrong with file or folder the cache is empty,
+/// without a message.
 class CacheFile
 {
 public:
   CacheFile() = default; ///< no cache
-  /// `name`: without a folder; tells device, driver and version of this library apart. Without a folder: no cache.
+  /// `name`: without a folder; differs by device, driver and version of this library. Without a folder: no cache.
   CacheFile(const std::optional<std::filesystem::path>& folder, const std::string& name);
 
-  /// What was saved last, by any process; empty: nothing, or something else than that.
+  /// The data saved last, by any process; empty: none, or not readable.
   std::vector<std::uint8_t> Load() const;
 
-  /// Replaces what is there, at once for whoever loads it meanwhile. More than `mostBytes` are not saved. The oldest
+  /// Replaces what is there, atomically for processes that load it. More than `mostBytes` are not saved. The oldest
   /// other files of the folder go as long as all together have more.
   void Save(const std::vector<std::uint8_t>& data) const;
 

@@ -37,7 +37,7 @@ public:
   std::pair<std::shared_ptr<Program>, bool> Get(const Specialization& specialization);
 
   /// Compiles what there is none of yet, one program after the other, while the processor has nothing else to do. What
-  /// was asked for before and has not begun is forgotten.
+  /// was requested before and has not begun is forgotten.
   void CompileAhead(std::vector<Specialization> wanted);
   /// Programs that are still to be compiled ahead, the one in work among them.
   std::size_t Ahead();

@@ -1,7 +1,7 @@
 /**
  * Glyphs as Universal Scene Description (.usda): a PointInstancer for each display.
  *
- * Coordinates are the data's; up is z, so that programs that stand on z leave them as they are.
+ * Coordinates are the data's; up is z, so programs with z up leave them as they are.
  */
 #ifndef GlyphUSDWriter_h
 #define GlyphUSDWriter_h

@@ -262,7 +262,7 @@ rtglyphs::GlyphLeaves::Leaf rtglyphs::GlyphLeaves::Find(vtkDataObject* object, b
 
 //----------------------------------------------------------------------------
 // Neighboring pieces of a structured data set both have the points between them: they belong to the lower piece.
-// Ghosts, which filters that ask for them leave, mark those beyond, and not always these.
+// Ghosts, which filters that request them leave, mark those beyond, and not always these.
 void rtglyphs::GlyphLeaves::DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
 {
   if (leaf.CellIds || leaf.Data->GetExtentType() != VTK_3D_EXTENT)

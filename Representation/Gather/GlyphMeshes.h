@@ -1,6 +1,6 @@
 /**
  * @class   GlyphMeshes
- * @brief   the forms of mesh glyphs: gathered from the second input, as the view delivers them, and how large they are
+ * @brief   the meshes of mesh glyphs: gathered from the second input, as the view delivers them, and their sizes
  */
 #ifndef GlyphMeshes_h
 #define GlyphMeshes_h
@@ -31,41 +31,41 @@ public:
   ~GlyphMeshes();
 
   /**
-   * Gathers the polygons of `data` (may be null) as one form, or each block of a composite as a form of its own.
+   * Gathers the polygons of `data` (may be null) as one mesh, or each block of a composite as a mesh of its own.
    */
   void Gather(vtkDataObject* data, bool blocksAreForms);
 
   /**
-   * What was gathered, for the view. In a composite, because data of several ranks that are put together do not stay
+   * The gathered meshes, for the view. In a composite, because data of several ranks that are put together do not stay
    * apart otherwise.
    */
   vtkDataObject* GetPiece() const;
 
   /**
-   * The forms are those of a piece that the view has delivered (may be null), until the next Gather().
+   * Takes the meshes of a piece that the view has delivered (may be null), until the next Gather().
    */
   void Take(vtkDataObject* piece);
 
   /**
-   * Number of forms, and form i; null: there is none.
+   * Number of meshes, and mesh i; null: there is none.
    */
   std::size_t GetNumberOfForms() const { return this->Forms.size(); }
   vtkPolyData* GetForm(std::size_t i) const { return i < this->Forms.size() ? this->Forms[i].Get() : nullptr; }
 
   /**
-   * Two opposite corners of each form's box, as a mesh for GlyphBounds; without points where there is no form.
+   * Two opposite corners of each mesh's box, as a mesh for GlyphBounds; without points where there is no mesh.
    */
   const std::vector<std::shared_ptr<const rtg::TriangleMesh>>& GetExtents() const { return this->Extents; }
 
   /**
-   * The longest side of the forms' boxes; 0 without any.
+   * The longest side of the meshes' boxes; 0 without any.
    */
   double GetLargestSide() const;
 
 private:
   void UpdateExtents();
 
-  vtkNew<vtkMultiBlockDataSet> Piece; // its only block is the form, or a composite of them
+  vtkNew<vtkMultiBlockDataSet> Piece; // its only block is the mesh, or a composite of them
   std::vector<vtkSmartPointer<vtkPolyData>> Forms;
   std::vector<std::shared_ptr<const rtg::TriangleMesh>> Extents;
   std::vector<vtkMTimeType> ExtentsTimes;

@@ -6,7 +6,7 @@
  * glyph, or that the centers of cells do, which have the cells' arrays. Where nothing has to be copied, points and
  * arrays are shared with the input.
  *
- * The output's point data has the input's arrays, and what picking asks for (RayTracedArrays.h): ids of points and,
+ * The output's point data has the input's arrays, and the arrays for picking (RayTracedArrays.h): ids of points and,
  * for cell centers and data sets made of vertices, of the cells that the glyphs stand for, and ranks.
  *
  * Its cell data has the cell arrays of data sets made of vertices only, one tuple a point; cell arrays of cell centers

@@ -3,7 +3,7 @@
  * @brief   which glyphs ParaView's selection has chosen
  *
  * ParaView draws what is selected of a source as points, which lie inside the glyphs. Where the data are, the filter
- * that extracts them for that purpose tells the ids.
+ * that extracts them for that purpose has the ids.
  */
 #ifndef GlyphSelection_h
 #define GlyphSelection_h

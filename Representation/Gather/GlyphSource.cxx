@@ -88,7 +88,7 @@ rtg::Shape ShapeOf(vtkAlgorithm* algorithm, glm::dvec3& size, rtg::ArrowForm& fo
 //----------------------------------------------------------------------------
 rtglyphs::GlyphSource::GlyphSource(vtkAlgorithm* algorithm)
 {
-  // What ParaView puts behind each source passes its triangles on.
+  // ParaView's filters behind each source pass its triangles on.
   while (algorithm && algorithm->IsA("vtkPVPostFilter"))
   {
     algorithm = algorithm->GetInputAlgorithm();

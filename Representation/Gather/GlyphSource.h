@@ -1,5 +1,5 @@
 /**
- * What the source of 3D Glyphs' GlyphType stands for: a shape of the kernels, where that is exactly what the source
+ * The kernels' shape of 3D Glyphs' GlyphType: a shape of the kernels, where that is exactly what the source
  * approximates by triangles, or its triangles.
  */
 #ifndef GlyphSource_h
@@ -20,7 +20,7 @@ struct GlyphSource
   rtg::ArrowForm Arrow;       // radii and length of the tip
 
   /**
-   * That of an arrow, cone, box, cylinder or sphere that lies as the unit glyph does, whatever its resolution. Null:
+   * That of an arrow, cone, box, cylinder or sphere that lies as the unit glyph does, at any resolution. Null:
    * none.
    */
   explicit GlyphSource(vtkAlgorithm* algorithm);

@@ -138,7 +138,7 @@ std::string rtglyphs::GlyphStepVelocity::Describe() const
     case NO_IDS:
       return rtglyphs::GlyphStep::IdsNeeded("VelocityFromPreviousStep", "the glyphs stand still");
     case NO_TIME:
-      return "VelocityFromPreviousStep needs the time of the data, and they say none; so the "
+      return "VelocityFromPreviousStep needs the time of the data, which they lack; so the "
              "glyphs stand still. Open "
              "them as a time series, or choose a VelocityArray.";
     case WITHOUT_PARTNER:
@@ -148,7 +148,7 @@ std::string rtglyphs::GlyphStepVelocity::Describe() const
            << " points stand still, because VelocityFromPreviousStep finds no single point of the "
               "same id in the step "
               "shown before, at time "
-           << this->Before.Time << ". Of later steps nothing is said.";
+           << this->Before.Time << ". Later steps give no such message.";
       return text.str();
     }
     default:

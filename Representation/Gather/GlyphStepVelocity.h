@@ -1,6 +1,6 @@
 /**
  * @class   GlyphStepVelocity
- * @brief   velocities of points by differences to the time step seen before
+ * @brief   velocities of points by differences to the previously shown time step
  *
  * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of
  * first order, of the points that have the same id in both steps. "Before" is the last step of another time that this
@@ -32,19 +32,19 @@ class GlyphStepVelocity
 {
 public:
   /**
-   * The point array of one component that tells which point is which; "None" or empty: the global ids. Whether it is
+   * The point array of one component that identifies points; "None" or empty: the global ids. Whether it is
    * another than before, which forgets all steps.
    */
   bool SetPointIdArray(const std::string& name);
 
   /**
-   * Adds the point array Name() to the leaves of the RayTracedTree `gathered`, made of `input`. Without ids, or
-   * where the data say no time, all stand still. Steps of another source than the last are forgotten.
+   * Adds the point array Name() to the leaves of the RayTracedTree `gathered`, made of `input`. Without ids or
+   * times, all points stand still. Steps of another source than the last are forgotten.
    */
   void AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source);
 
   /**
-   * What is to be said of the last step, with a remedy; empty the second time that the same comes since Reset().
+   * A message on the last step, with a remedy; empty the second time that the same comes since Reset().
    */
   std::string TakeMessage();
 

@@ -26,7 +26,7 @@ constexpr const char* CellIds = "vtkRayTraced_CellIds";
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 /// Of each point: the rank that it comes from. Missing where there is one.
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
-/// Of each point: its velocity since the step shown before. Missing unless asked for.
+/// Of each point: its velocity since the step shown before. Optional.
 constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
 /// Of each point: where it was in earlier steps (GlyphStepTrail). Missing unless asked for.
 constexpr const char* Trail = "vtkRayTraced_Trail";
@@ -39,7 +39,7 @@ constexpr const char* PartialArrays = "vtkRayTraced_PartialArrays";
 constexpr const char* BlockColors = "vtkBlockColors";
 
 ///@{
-/// What a selector of points is told of a glyph that stands for a cell, and one of cells of a glyph that stands for a
+/// The id that a selector of points gets for a glyph of a cell, and one of cells for a glyph of a
 /// point: a number that neither has, from which vtkRayTracedSelectionEncoder finds what is meant. Selectors keep 48
 /// bits of a number.
 constexpr vtkTypeInt64 CellIdOffset = vtkTypeInt64(1) << 47;

@@ -30,17 +30,17 @@ inline vtkIdType ChunkOf(vtkIdType i)
 }
 
 /**
- * Is told the share of the work that is done, in [0, 1], by the thread that has started the loop; may be empty.
+ * Gets the fraction of the work done, in [0, 1], from the thread that started the loop; may be empty.
  */
 using Progress = std::function<void(double)>;
 
 /**
- * `progress`, or an empty one where work on that many items is done before anybody could read about it.
+ * `progress`, or an empty one where work on that many items takes too short a time for a message.
  */
 Progress Worthwhile(const Progress& progress, vtkIdType count);
 
 /**
- * Progress of work that takes `whole` from one share to another.
+ * Progress of work that takes `whole` from one fraction to another.
  */
 Progress Part(const Progress& whole, double first, double last);
 
@@ -54,7 +54,7 @@ Progress Part(const Progress& whole, double first, double last);
 void ForChunks(vtkIdType count, const std::function<void(vtkIdType, vtkIdType)>& work, const Progress& progress = {});
 
 /**
- * The wanted ones of 0, ..., count - 1, in this order. isWanted(i) is asked twice.
+ * The wanted ones of 0, ..., count - 1, in this order. isWanted(i) is called twice.
  */
 template <class IsWanted>
 std::vector<vtkIdType> Select(vtkIdType count, const IsWanted& isWanted)

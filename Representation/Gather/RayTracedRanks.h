@@ -1,5 +1,5 @@
 /**
- * What all ranks find together. When something goes wrong on one of them, such as memory that runs out, all give up at
+ * Reductions over all ranks. When one of them fails, such as memory that runs out, all give up at
  * the same place: none waits for what another one will never send.
  */
 #ifndef RayTracedRanks_h
@@ -15,7 +15,7 @@
 namespace rtglyphs::RayTracedRanks
 {
 /**
- * What Together() throws on the ranks on which nothing has gone wrong.
+ * Thrown by Together() on the ranks that did not fail.
  */
 struct FailedElsewhere : std::exception
 {

@@ -6,7 +6,7 @@
  * ordinary surface representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the
  * lines and poly-lines are left, and the rest is left out.
  *
- * The output has the input's arrays, and what picking asks for (RayTracedArrays.h): ids of points and cells, ranks.
+ * The output has the input's arrays, and the arrays for picking (RayTracedArrays.h): ids of points and cells, ranks.
  */
 #ifndef RayTracedSurfaceGatherer_h
 #define RayTracedSurfaceGatherer_h

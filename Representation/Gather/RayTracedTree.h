@@ -17,7 +17,7 @@ class vtkPolyData;
 namespace rtglyphs::RayTracedTree
 {
 /**
- * What make(leaf) makes of each data set of `input`: one poly data, or a tree of them. Of composite data make() is
+ * The results of make(leaf) for each data set of `input`: one poly data, or a tree of them. Of composite data make() is
  * called for empty leaves (null), too; there every leaf gets its flat index in the input, and what ParaView calls
  * vtkBlockColors, of which so many are distinct. All ranks do it at once.
  */

@@ -12,7 +12,7 @@ namespace
 using namespace rtglyphs::GlyphArrayRoles;
 using Words = std::vector<std::string>;
 
-// What a name says. An array whose name has several of the words is what comes first.
+// Meanings of a name. The first word that a name has counts.
 struct Meaning
 {
   Words Names;                             // words that begin so where they end with *; " word": the only word
@@ -21,7 +21,7 @@ struct Meaning
 };
 
 constexpr int active = 45; // ParaView's attribute
-constexpr int turns = 120; // a body is turned by its rotation, whatever vectors there are
+constexpr int turns = 120; // a rotation orients a body, before any vector
 constexpr int tensor = 60; // the name of one
 
 // Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS, EXPONENTS
@@ -263,7 +263,7 @@ Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& ar
   if (best)
   {
     best.Why = most.Why ? most.Why : "its number of components";
-    best.Why += alike > 1 ? ", as the first of " + std::to_string(alike) + " arrays that are alike in this" : "";
+    best.Why += alike > 1 ? ", as the first of " + std::to_string(alike) + " equal candidates" : "";
   }
   return best;
 }

@@ -2,7 +2,7 @@
  * Which array of the data has which role for glyphs. The table in GlyphArrayRoles.cxx weighs what is known of an array:
  * the words of its name, ParaView's attributes, the number of components, and the range of its values.
  *
- * Words are told apart by case, digits and punctuation: 'c_radius', 'ParticleRadius' and 'radius2' are named a radius,
+ * Case, digits and punctuation separate words: 'c_radius', 'ParticleRadius' and 'radius2' are named a radius,
  * 'radiation' is not.
  */
 #ifndef GlyphArrayRoles_h
@@ -43,7 +43,7 @@ struct Array
 struct Choice
 {
   std::string Name; // empty: none
-  std::string Why;  // what speaks for it, in a few words
+  std::string Why;  // the reason, in a few words
   int Components = 0;
   explicit operator bool() const { return !this->Name.empty(); }
 };
@@ -66,7 +66,7 @@ std::vector<Array> Join(const std::vector<Array>& numbers);
 bool IsSize(const std::string& name);
 
 /**
- * What a size of that name has to be multiplied by to be a diameter: 2 a radius, 1 a diameter. 0: the name is not that
+ * Factor from a size of that name to a diameter: 2 for a radius, 1 for a diameter. 0: the name is not that
  * of an exact size.
  */
 double DiametersOf(const std::string& name);

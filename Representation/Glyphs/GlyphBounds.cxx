@@ -80,7 +80,7 @@ private:
     }
   }
 
-  // How far the glyph reaches from its point along each axis; zero where it has no finite size.
+  // The glyph's extent from its point along each axis; zero where it has no finite size.
   glm::dvec3 Reach(vtkIdType point, rtglyphs::GlyphSizes::Tuples& tuples) const
   {
     const rtg::DoubleBox box = this->Unturned(point, tuples);

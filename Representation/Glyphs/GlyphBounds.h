@@ -3,7 +3,7 @@
  * @brief   a box around all glyphs of a set of points
  *
  * Each glyph counts with its own size: a point whose scale is large and another one whose tensor is do not add up.
- * Boxes of turned glyphs are those of the balls round them. All cores share the work, which is kept until data or
+ * Boxes of rotated glyphs are those of the balls round them. All cores compute them; they are kept until data or
  * settings change.
  */
 #ifndef GlyphBounds_h

@@ -156,7 +156,7 @@ double rtglyphs::GlyphForms::LargestRadius(vtkDataArray* array, const Settings& 
       double& most = largest[rtglyphs::RayTracedParallel::ChunkOf(begin)];
       for (vtkIdType point = begin; point < end; ++point)
       {
-        // Rough bounds, which take a quarter of the time, tell of most points that they are smaller.
+        // Rough bounds, which take a quarter of the time, show for most points that they are smaller.
         if (forms.MeasureRoughly(tuples, point).bound > most)
         {
           most = std::max(most, forms.Measure(tuples, point, values.data()).radius);

@@ -82,7 +82,7 @@ public:
   static double LargestRadius(vtkDataArray* array, const Settings& settings);
 
   /**
-   * What the size of a glyph is multiplied with besides that of its unit glyph: the largest |f|, or 1 with Each.
+   * Factor of the size of a glyph besides that of its unit glyph: the largest |f|, or 1 with Each.
    */
   double Magnitude(const rtg::FormExtent& extent) const { return this->How.Each ? 1.0 : extent.radius; }
 

@@ -63,7 +63,7 @@ public:
         }
       },
       progress);
-    // Of a point's glyphs the first tells what is wrong with it.
+    // A point's first glyph counts its errors.
     Counts numbers{};
     for (vtkIdType k = 0; k < count; k += this->Parts)
     {
@@ -104,7 +104,7 @@ private:
     this->FirstSizes.assign(rtglyphs::RayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
   }
 
-  // What becomes of the point; when it is shown, the glyph of this number is its.
+  // The point's outcome; if it is SHOWN, instance `number` is its glyph.
   Outcome Add(vtkIdType number, vtkIdType point, rtglyphs::GlyphMaker::Tuples& tuples)
   {
     rtglyphs::GlyphMaker::Glyph glyph;
@@ -205,11 +205,11 @@ private:
     this->Motion.Finish(this->Instances.motion);
     if (this->Maker.IsRound())
     {
-      this->Instances.motion.angularVelocities.clear(); // it looks the same from all sides
+      this->Instances.motion.angularVelocities.clear(); // rotations are invisible
     }
   }
 
-  // What rounding has left of the centers, when for some glyph it is more than 1e-6 of its size.
+  // Low parts of the centers, when for some glyph they exceed 1e-6 of its size.
   void StoreLowParts()
   {
     if (!this->NeedsLowParts)
@@ -257,7 +257,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   rtg::GlyphInstances& instances = result.Instances;
   instances.shape = settings.Shape;
   instances.arrow = settings.Arrow;
-  // Of tensors, quadratic forms tell the sign.
+  // Quadratic forms give the sign of tensors.
   const auto surface = settings.SurfaceColors();
   using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
   instances.surfaceColours = surface == SurfaceColours::Sign && !settings.Forms.On ? SurfaceColours::None : surface;

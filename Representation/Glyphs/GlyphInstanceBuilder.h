@@ -1,13 +1,13 @@
 /**
  * @class   GlyphInstanceBuilder
- * @brief   turns points and arrays into the glyph instances that the kernels trace
+ * @brief   builds the glyph instances that the kernels trace from points and arrays
  *
- * Which glyph a point has GlyphMaker says. Positions are made relative to the middle of the data in double
+ * GlyphMaker makes the glyph of a point. Positions are made relative to the middle of the data in double
  * precision.
  *
- * What cannot be shown (an exponent that is not positive; position, scale or orientation not finite) makes no glyph; it
- * is counted and put into words in Result::Messages. Zeros are ordinary: scales and tensors of zero, and directions of
- * zero for arrows and cones, make no glyph either, but are put into words only where no glyph is left.
+ * Bad input (an exponent that is not positive; position, scale or orientation not finite) makes no glyph; it
+ * is counted and reported in Result::Messages. Zeros are ordinary: scales and tensors of zero, and directions of
+ * zero for arrows and cones, make no glyph either, but are reported only where no glyph is left.
  */
 #ifndef GlyphInstanceBuilder_h
 #define GlyphInstanceBuilder_h

@@ -1,17 +1,17 @@
 /**
  * @class   GlyphMaker
- * @brief   which glyph a point has: its place, size, rotation and form, or why there is none
+ * @brief   a point's glyph: its position, size, rotation and shape, or why there is none
  *
  * Arrays mean what they mean to vtkGlyph3DMapper: magnitudes of scale arrays of any length, components of arrays of
  * three; orientation by direction (the same half turn, so that also boxes agree), by angles about z, x, y in degrees
  * or by quaternion (w, x, y, z).
  *
  * Superquadrics have exponents, the same for all or from an array: with one component the same on every axis, with two
- * the first across (x and y) and the second along z, with three one for each axis. In the nested form the first is
+ * the first across (x and y) and the second along z, with three one for each axis. For Nested Superquadric the first is
  * that along z, the second that across, as blockiness is given in granular matter codes; one component is both.
  *
- * With a table of forms the magnitude of the index array's tuple, cut to a whole number and clamped to the table, is
- * the number of a point's form.
+ * With a table of meshes the magnitude of the index array's tuple, truncated and clamped to the table, is
+ * the index of a point's mesh.
  *
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
  * point the other way, as 3D Glyphs shows them; meshes are mirrored. Shapes other than arrows and cones are not turned
@@ -44,14 +44,14 @@ class GlyphMaker
 {
 public:
   /**
-   * Takes the arrays that are there and fit; `messages` are told of others. The settings and their `sizes` stay the
+   * Takes the arrays that exist and fit; `messages` gets a warning for others. The settings and their `sizes` stay the
    * caller's.
    */
   GlyphMaker(vtkPolyData* points, const GlyphSettings& settings, vtkMatrix4x4* modelToWorld, const GlyphSizes& sizes,
     std::vector<std::string>& messages);
 
   /**
-   * What one thread reads.
+   * Values of one thread.
    */
   class Tuples
   {
@@ -97,7 +97,7 @@ public:
     vtkIdType point, const glm::dvec3& origin, Tuples& tuples, double shift, float length, const glm::vec4& turn) const;
 
   /**
-   * Where most of the points are, whatever lies far away: the median of some of them, axis by axis.
+   * Where most of the points are: the median of some of them, axis by axis, so that outliers do not count.
    */
   glm::dvec3 MiddleOf(const std::vector<vtkIdType>& points) const;
 
@@ -110,8 +110,8 @@ public:
 
   ///@{
   /**
-   * What glyphs differ in, so that it must be kept of each: sizes, those along their axes, turns. What looks the same
-   * from all sides is not turned.
+   * Values that differ between glyphs, so each has its own: sizes, those along axes, rotations. Glyphs that look the
+   * same from all sides are not rotated.
    */
   bool HasSameSizes() const { return this->SameSizes; }
   bool HasOneSize() const { return this->OneSize; }

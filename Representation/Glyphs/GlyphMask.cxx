@@ -102,7 +102,7 @@ void FindBoxes(std::vector<Sample>& samples, vtkDataArray* positions)
     });
 }
 
-// Of each box that so many leading bits tell apart, the sample of lowest order; sorted samples.
+// Of each box that so many leading bits distinguish, the sample of lowest order; sorted samples.
 std::vector<Sample> OneOfEachBox(const std::vector<Sample>& samples, int bits)
 {
   const auto box = [bits](const Sample& sample) { return bits == 0 ? 0 : sample.Box >> (allBits - bits); };
@@ -131,7 +131,7 @@ void KeepFirst(std::vector<Sample>& samples, std::size_t maximum)
 void KeepEven(std::vector<Sample>& samples, std::size_t maximum)
 {
   vtkSMPTools::Sort(samples.begin(), samples.end());
-  // numbers[b]: how many boxes b leading bits tell apart, less those that fewer bits do
+  // numbers[b]: how many boxes b leading bits distinguish, less those that fewer bits do
   std::vector<std::size_t> numbers(allBits + 1, 0);
   numbers[0] = 1;
   for (std::size_t k = 1; k < samples.size(); ++k)

@@ -26,8 +26,8 @@ struct GlyphMask
   RayTracedChoice<Modes, RANDOM, EVEN_IN_SPACE> Mode;
   vtkIdType MaximumNumberOfGlyphs = 5000; // of RANDOM and EVEN_IN_SPACE
   int Stride = 10;                        // of EVERY_NTH
-  // Of all ranks together, where each has some of the points: it has that share of MaximumNumberOfGlyphs. Not more than
-  // its own: it has all.
+  // Of all ranks together, where each has some of the points: it has that fraction of MaximumNumberOfGlyphs. Not more
+  // than its own: it has all.
   vtkIdType PointsOfAllRanks = 0;
 
   bool operator==(const GlyphMask&) const = default;

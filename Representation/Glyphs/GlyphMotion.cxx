@@ -206,7 +206,7 @@ bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
   }
   if (this->On())
   {
-    // Nor may the way be beyond the range.
+    // Nor may the path leave the range.
     const rtg::DoubleBox range = this->Range(point);
     return rtg::IsFiniteInFloat(range.lower) && rtg::IsFiniteInFloat(range.upper);
   }

@@ -57,13 +57,13 @@ public:
   static std::array<vtkDataArray*, 4> Arrays(vtkPolyData* points, const Settings& settings);
 
   /**
-   * Takes what makes sense of `points` and `settings`; what does not is said in Messages() and left out. Points of
+   * Takes the valid arrays of `points`; Messages() reports others. Points of
    * blocks that lack an array stand still.
    */
   GlyphMotion(vtkPolyData* points, const Settings& settings);
 
   /**
-   * Says which blocks lack one of the arrays (RayTracedBlocks::ReportLacking).
+   * Reports which blocks lack one of the arrays (RayTracedBlocks::ReportLacking).
    */
   static void ReportLacking(
     vtkPolyData* points, const Settings& settings, const RayTracedRanges& hidden, std::vector<std::string>& messages);
@@ -71,7 +71,7 @@ public:
   const std::vector<std::string>& Messages() const { return this->Messages_; }
 
   /**
-   * What must be chosen before anything moves; empty: nothing.
+   * Missing input of motion; empty: none.
    */
   static std::string Unfinished(const Settings& settings);
 

@@ -65,10 +65,10 @@ vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs
     "To silence this warning remove the points with Threshold.");
   sayOfZeros(counts[ZERO_POLYNOMIAL], components + "all zero", "Choose another array, or another time step.");
   say(counts[MOTION],
-    "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
+    "their velocity, acceleration or angular velocity, or their path while the shutter is "
     "open, is not finite",
     "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
-  say(counts[FORM], "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
+  say(counts[FORM], "the index of their mesh, from the point array '" + settings.TableIndexArray + "', is not finite",
     "Choose another GlyphTableIndexArray, or remove these points with Threshold.");
   if (rtglyphs::RayTracedArrays::IsNone(settings.ExponentArray))
   {

@@ -1,5 +1,5 @@
 /**
- * What becomes of points: a glyph, or why they have none.
+ * Outcomes of points: a glyph, or why they have none.
  */
 #ifndef GlyphOutcomes_h
 #define GlyphOutcomes_h

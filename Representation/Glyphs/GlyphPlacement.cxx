@@ -9,7 +9,7 @@
 
 namespace
 {
-// Under a map that is no turn with one scale. The image of a sphere is an ellipsoid.
+// Under a map other than a rotation with uniform scale. The image of a sphere is an ellipsoid.
 void Deform(const glm::dmat3& linear, bool sphere, glm::dvec3& size, glm::dquat& rotation)
 {
   glm::dmat3 image = linear * glm::mat3_cast(rotation);

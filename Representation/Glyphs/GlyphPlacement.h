@@ -1,8 +1,8 @@
 /**
  * @class   GlyphPlacement
- * @brief   where the actor's matrix puts glyphs, and how the data turn them
+ * @brief   where the actor's matrix puts glyphs, and how the data rotate them
  *
- * The linear part of the matrix is nothing, a turn with one scale, or a map that also shears.
+ * The linear part of the matrix is the identity, a rotation with uniform scale, or a map that also shears.
  */
 #ifndef GlyphPlacement_h
 #define GlyphPlacement_h
@@ -18,7 +18,7 @@ namespace rtglyphs
 struct GlyphPlacement
 {
   bool Identity = true;
-  bool Uniform = true; // a turn with one scale
+  bool Uniform = true; // a rotation with uniform scale
   glm::dmat3 Linear{ 1.0 };
   glm::dvec3 Offset{ 0.0 };
   double Scale = 1.0; // negative: mirrored
@@ -41,7 +41,7 @@ struct GlyphPlacement
   void Apply(bool sphere, glm::dvec3& size, glm::dquat& rotation) const;
 
   /**
-   * What vtkGlyph3DMapper turns a glyph by, given a tuple of an orientation array and one of
+   * vtkGlyph3DMapper's rotation of a glyph, given a tuple of an orientation array and one of
    * GlyphSettings::OrientationModes. False: the tuple gives no rotation.
    */
   static bool RotationFromTuple(const double* tuple, int mode, glm::dquat& rotation);

@@ -17,7 +17,7 @@ namespace
 using namespace rtglyphs::GlyphSample;
 
 ///@{
-// Lengths, as shares of the data's longest side.
+// Lengths, as fractions of the data's longest side.
 constexpr double largestGlyph = 0.2;
 constexpr double exactlySeen = 1.0 / 200.0; // in a picture of all data; of sizes that the data say
 constexpr double seen = 1.0 / 80.0;         // of others: a dozen pixels
@@ -25,20 +25,20 @@ constexpr double coincident = 1e-6;         // at the same place, but for roundi
 constexpr double flat = 1e-3;               // along an axis that the data do not fill
 ///@}
 constexpr double graded = 2.5; // points are this much closer than in most of the space, where the mesh is graded
-constexpr double specks = 0.1; // size of spheres that are far apart, as a share of the distance between neighbors
+constexpr double specks = 0.1; // size of spheres that are far apart, as a fraction of the distance between neighbors
 constexpr double mostNeighbors = 10.0; // size of spheres in another unit than their places, the same
-constexpr double leastArea = 0.25;     // of all glyphs, as a share of that of as many of the typical size
+constexpr double leastArea = 0.25;     // of all glyphs, as a fraction of that of as many of the typical size
 constexpr double mostExcess = 2.0;     // so much smaller all glyphs become for the largest to fit
 constexpr double manyLimited = 8.0;    // so many of the largest glyphs cover a quarter of the longest side's square
-constexpr double few = 2000.0;         // so few are seen one by one, also where some touch
+constexpr double few = 2000.0;         // so few are distinguishable, also where some touch
 constexpr double arrowLength = 2.5;    // of typical glyphs' size: arrows are thin
 
 // Where the points are.
 struct Extents
 {
   double Longest = 0.0;   // side of their box
-  double Neighbors = 0.0; // usual distance, as a share of Longest; 0: all are in one place
-  double Spacing = 0.0;   // mean, if they filled their box, as a share of Longest
+  double Neighbors = 0.0; // usual distance, as a fraction of Longest; 0: all points coincide
+  double Spacing = 0.0;   // mean, if they filled their box, as a fraction of Longest
 };
 
 // Squared distances, in units of `length`, from each of the pivots to the nearest point of this rank that is not at
@@ -102,7 +102,7 @@ double MedianOfSpace(std::vector<double> squared, double axes)
 
 Extents Measure(const Points& points, bool rough)
 {
-  // Few for many points, so that all of them can be compared with each in no time; 64 tell a median to some percent.
+  // Few for many points, so that all of them can be compared with each in no time; 64 give a median to some percent.
   const double wanted = rough ? 64.0 : std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0);
   const std::vector<double> pivots = points.SampledPositions(wanted);
   Extents extents;
@@ -132,7 +132,7 @@ Extents Measure(const Points& points, bool rough)
   return extents;
 }
 
-// The factor that makes glyphs of typical magnitude so large; lengths are shares of the longest side.
+// The factor that makes glyphs of typical magnitude so large; lengths are fractions of the longest side.
 double FactorFor(const std::vector<double>& magnitudes, double size)
 {
   const auto area = [&](double factor)

@@ -58,7 +58,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
   }
   if (settings.HasOwnExponents())
   {
-    // In the nested form the third is not used.
+    // Nested Superquadric does not use the third.
     settings.Exponents[2] =
       settings.Shape == rtg::Shape::NestedSuperquadric ? none.Exponents[2] : settings.Exponents[2];
   }
@@ -168,7 +168,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::AxesOfTensors() const
   settings.RadiusArray.clear();
   settings.Scaling &= settings.ScaleMode != COMPONENTS;
   settings.ScaleFactor = std::abs(settings.ScaleFactor);
-  // Thin, so as to hide little, and of one form: short ones are small.
+  // Thin, so as to hide little, and of constant proportions: short ones are small.
   settings.Arrow.shaftRadius = 0.015f;
   settings.Arrow.tipRadius = 0.05f;
   settings.Arrow.tipLength = 0.15f;

@@ -24,7 +24,7 @@ namespace rtglyphs
 {
 
 /**
- * What the magnitudes of glyphs depend on (GlyphMagnitudes). An enumeration's type has its range.
+ * Settings of the magnitudes of glyphs (GlyphMagnitudes). An enumeration's type has its range.
  */
 struct GlyphScaling
 {
@@ -40,7 +40,7 @@ struct GlyphScaling
   RayTracedChoice<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
   GlyphSizing Sizing;             // of magnitudes of the scale array, and of eigenvalues
   GlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
-  GlyphForms::Settings Forms;     // on: polynomials are the glyphs' form and size
+  GlyphForms::Settings Forms;     // on: polynomials are the glyphs' shape and size
   GlyphMask Mask;
   bool OfVectors = false; // the scale array is that of the directions, of 2 or 3 components; else there are no glyphs
 
@@ -113,7 +113,7 @@ struct GlyphSettings : GlyphScaling
   GlyphScaling OfMagnitudes() const;
 
   /**
-   * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
+   * Whether fixed arrow heads have the proportions of the unit arrow on the 95th percentile's arrow.
    */
   bool NeedsHighScale() const
   {
@@ -137,7 +137,7 @@ struct GlyphSettings : GlyphScaling
   bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
 
   /**
-   * What colors the points of each glyph's surface: nothing, the sign of the tensor or polynomial in their direction,
+   * Color rule for points of each glyph's surface: none, the sign of the tensor or polynomial in their direction,
    * or that direction.
    */
   rtg::GlyphInstances::SurfaceColours SurfaceColors() const;

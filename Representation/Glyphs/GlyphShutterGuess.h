@@ -1,11 +1,11 @@
 /**
  * @class   GlyphShutterGuess
- * @brief   the shutter time with which motion blur of any data can be seen
+ * @brief   the shutter time that makes motion blur of any data visible
  *
  * Of the points that move, the one with the 95 % quantile of the speeds makes a streak three typical glyphs long, or a
  * twentieth of the data's longest side where what moves has no size, as surfaces. The fastest goes no farther than half
- * that side, or three such glyphs where these are longer, so that a single wild value does not make the others vanish.
- * Where nothing but an angular velocity is known, the turn of that quantile is one radian.
+ * that side, or three such glyphs where these are longer, so that an outlier does not make the others vanish.
+ * Where nothing but an angular velocity is known, the rotation of that quantile is one radian.
  *
  * It has two significant digits.
  */
@@ -17,8 +17,8 @@
 namespace rtglyphs::GlyphShutterGuess
 {
 /**
- * What suits glyphs of the points; all ranks call it at once, and all get the same. `unitSize` is the length of the
- * unit glyph. 0: nothing moves yet.
+ * A shutter time for glyphs of the points; all ranks call it at once, and all get the same. `unitSize` is the length of
+ * the unit glyph. 0: nothing moves yet.
  */
 double Update(GlyphKeptGuess& kept, vtkPolyData* points, const GlyphSettings& settings, double unitSize, double time);
 }

@@ -2,7 +2,7 @@
  * How large the glyphs of points are, before the actor's matrix. GlyphMagnitudes is what the data make of the unit
  * glyph, and sees no settings but those of GlyphScaling; GlyphSizes adds the factor, limits and radii.
  *
- * Threads may share an object, each with Tuples of its own.
+ * Threads may use one object, each with Tuples of its own.
  */
 #ifndef GlyphSizes_h
 #define GlyphSizes_h

@@ -44,7 +44,7 @@ struct GlyphSizing
     SQUARE_ROOT = 1,
     CUBE_ROOT = 2,
     LOGARITHM = 3, // log10(1 + magnitude)
-    UNIT = 4       // 1, whatever the magnitude
+    UNIT = 4       // 1 for every magnitude
   };
   RayTracedChoice<Functions, LINEAR, UNIT> Function;
   double Least = 0.0; // of a glyph's longest extent, in world units; 0: none
@@ -54,7 +54,7 @@ struct GlyphSizing
   bool operator==(const GlyphSizing&) const = default;
 
   /**
-   * What a magnitude scales a glyph by. 0 stays 0, so that it makes no glyph; NaN stays NaN.
+   * Scale of a glyph by its magnitude. 0 stays 0, so that it makes no glyph; NaN stays NaN.
    */
   double operator()(double magnitude) const
   {

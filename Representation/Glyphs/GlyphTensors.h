@@ -83,7 +83,7 @@ public:
   }
 
   /**
-   * What says how large the glyphs are.
+   * Settings of the glyphs' size.
    */
   struct Source
   {
@@ -101,7 +101,7 @@ public:
   {
     rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
     double Sharpness = 3.0;
-    double Thickness = 0.02; // least, as a share of the longest axis
+    double Thickness = 0.02; // least, as a fraction of the longest axis
     RayTracedChoice<Colorings, NONE, RADIUS> Coloring{};
     ///@{
     // Where x^T D x is zero or more, and where it is less; with SIGN.

@@ -50,10 +50,10 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
       }
       return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
     },
-    "SelectOrientationVectors", "the glyphs are not turned", "have glyphs that are not turned" },
+    "SelectOrientationVectors", "the glyphs are not rotated", "have glyphs that are not rotated" },
   { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },
     [](const Settings&) { return std::vector<int>{}; }, "GlyphTableIndexArray",
-    "all points have the table's first form", "have the table's first form" },
+    "all points have the table's first mesh", "have the table's first mesh" },
   { &Settings::ExponentArray, [](const Settings& settings) { return settings.HasOwnExponents(); },
     [](const Settings&) {
       return std::vector<int>{ 1, 2, 3 };
@@ -63,8 +63,8 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
     [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphOpacityArray", "all glyphs have the same opacity",
     "have glyphs without an opacity of their own" },
   { &Settings::RadiusArray, [](const Settings& settings) { return !settings.Tensors.On; },
-    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphRadiusArray", "glyphs are as wide as their scale says",
-    "have glyphs as wide as their scale says" },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphRadiusArray", "the scale sets the width of glyphs",
+    "have glyphs of the width that the scale sets" },
 } };
 }
 

@@ -1,5 +1,6 @@
 /**
- * What the builders of instances and bounds share: tuples of arrays as double, and which points have a glyph at all.
+ * Common code of the builders of instances and bounds: tuples of arrays as double, and which points have a glyph at
+ * all.
  */
 #ifndef GlyphTuples_h
 #define GlyphTuples_h
@@ -113,7 +114,7 @@ void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const Ray
   std::vector<std::string>& messages);
 
 /**
- * What the array that was found says of itself, whatever the settings' mode: four components are a quaternion, nine a
+ * Meaning of the number of components, in every mode: four components are a quaternion, nine a
  * matrix.
  */
 int OrientationMode(vtkDataArray* orientations, const GlyphSettings& settings);
@@ -130,8 +131,8 @@ vtkDataArray* Trail(vtkPolyData* points, const GlyphSettings& settings);
 std::vector<vtkDataArray*> All(vtkPolyData* points, const GlyphSettings& settings);
 
 /**
- * What glyphs of all these settings at the same points depend on. Arrays are known by their time stamps, of which no
- * two are alike: data that come again in a new vtkPolyData are seen to be the same.
+ * Dependencies of glyphs of all these settings at the same points. Arrays are known by their time stamps, of which no
+ * two are alike: data that come again in a new vtkPolyData are recognized.
  */
 struct Key
 {

@@ -27,7 +27,7 @@ public:
   vtkTypeMacro(vtkGlyphLegend, vtkRayTracedLegend);
 
   /**
-   * What the user sets. Value: 0 for one that fits.
+   * The user's settings. Value: 0 for one that fits.
    */
   struct Style
   {
@@ -40,9 +40,9 @@ public:
   };
 
   /**
-   * What is shown: glyphs of these settings, `scale` times as large; name of the array that scales them, or none; width
-   * and height of the mesh of mesh glyphs, for which the legend shows a rectangle; the largest magnitude of the data
-   * (0: unknown), which a number that is chosen does not exceed.
+   * The legend's subject: glyphs of these settings, `scale` times as large; name of the array that scales them, or
+   * none; width and height of the mesh of mesh glyphs, for which the legend shows a rectangle; the largest magnitude of
+   * the data (0: unknown), which a number that is chosen does not exceed.
    */
   void SetGlyphs(const rtglyphs::GlyphSettings& settings, double scale, const std::string& name,
     const std::array<double, 2>& mesh, double largest);

@@ -275,7 +275,7 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 }
 
 //----------------------------------------------------------------------------
-// What goes through no table.
+// Colors without a table.
 void vtkRayTracedGlyphMapper::TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
   const bool anisotropy = this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;

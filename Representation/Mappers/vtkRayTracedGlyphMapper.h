@@ -31,7 +31,7 @@ public:
   ///@{
   /**
    * The table that numbers of tensors (GlyphTensors::IsNumber) and radii of polynomials are colored by; null: from
-   * blue over white to red, by their share of the largest magnitude in the range, as with
+   * blue over white to red, by their ratio to the largest magnitude in the range, as with
    * GlyphTensors::EIGENVALUES; of fractional anisotropies by themselves.
    */
   void SetTensorTable(vtkScalarsToColors* table);

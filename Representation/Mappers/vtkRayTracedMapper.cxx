@@ -187,7 +187,7 @@ void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, Ma
   this->SelectColorArray(scalars.Array.c_str());
   this->SetLookupTable(scalars.Table);
   this->SetInterpolateScalarsBeforeMapping(interpolateValues);
-  // Cells of a hyper tree grid have become points on the way.
+  // Cells of a hyper tree grid are points here.
   if (scalars.ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA &&
     !block.Data->GetCellData()->HasArray(scalars.Array.c_str()))
   {
@@ -352,9 +352,8 @@ void vtkRayTracedMapper::ReportSizes()
   if (size > most || (size > 0.0 && size < least))
   {
     std::ostringstream message;
-    message << "The largest size is " << size << ", of which little or nothing can be shown: sizes may be from "
-            << least << " to " << most
-            << ". Change the unit of the data, for example with the scale of a Transform filter.";
+    message << "The largest size is " << size << ", too large or too small to be shown: sizes may be from " << least
+            << " to " << most << ". Change the unit of the data, for example with the scale of a Transform filter.";
     messages.push_back(message.str());
   }
   this->Report(messages, this->ReportedSizes);

@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * What glyphs or surfaces are made of: blocks, and their points one after the other. It is no input of the mapper:
+   * Data of glyphs or surfaces: blocks, and their points one after the other. Not an input of the mapper:
    * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
   void SetBlocks(const rtglyphs::RayTracedBlocks& blocks);
@@ -46,7 +46,7 @@ public:
   ///@}
 
   /**
-   * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself.
+   * The result of GetBounds(), before the actor's transform; it computes none itself.
    * Compositing between ranks and selecting leave out what lies outside.
    */
   void SetKnownBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
@@ -58,7 +58,7 @@ public:
   void SetSelectionColor(const std::array<double, 3>& color);
 
   /**
-   * The cut through what is shown, which whoever gives it may change.
+   * The cut; the caller may change it.
    */
   void SetSection(std::shared_ptr<const rtg::Section> section) { this->Section = std::move(section); }
 
@@ -68,7 +68,7 @@ public:
   void SetImages(std::shared_ptr<const rtg::PeriodicImages> images) { this->Images = std::move(images); }
 
   /**
-   * Who is told how far the building of instances is.
+   * Receives the progress of building instances.
    */
   void SetBuildProgress(const rtglyphs::RayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
 
@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * What users must choose before there is something to show, or it moves; empty: nothing. Who makes the choices in a
+   * Missing input that the user must choose; empty: none. Who makes the choices in a
    * window, one after the other, is not warned of it.
    */
   const std::string& GetUnfinished() const { return this->Unfinished; }
@@ -115,14 +115,14 @@ public:
   ///@{
   /**
    * Warnings that came up since the last call, for the scene to report. The counts of a message change with each time
-   * step and differ between ranks; without them it tells the same.
+   * step and differ between ranks; without them the result is the same.
    */
   std::vector<std::string> TakeMessages() { return std::exchange(this->NewMessages, {}); }
   static std::string WithoutCounts(const std::string& message);
   ///@}
 
   /**
-   * What picking says of a place on a glyph or triangle.
+   * Pick result of a position on a glyph or triangle.
    */
   struct Origin
   {
@@ -137,7 +137,7 @@ public:
   virtual Origin OriginOf(vtkIdType glyph, int association, const double position[3]) = 0;
 
   /**
-   * What a glyph or triangle stands for first of all: a point or a cell.
+   * Whether a glyph or triangle primarily stands for a point or a cell.
    */
   virtual int GetNaturalAssociation() const = 0;
 
@@ -227,7 +227,7 @@ protected:
   Origin OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const;
 
   /**
-   * What instances are built of is unfinished in that, and `messages` are to be reported of it; with the latter, but
+   * The missing input of instances, and its `messages`; with the latter, but
    * not in a window.
    */
   void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
@@ -256,8 +256,8 @@ protected:
   std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes, NewMessages;
 
 private:
-  // What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike:
-  // data that come again in a new vtkPolyData are seen to be the same.
+  // Dependencies of instances besides the settings. Arrays are known by their time stamps, of which no two are alike:
+  // data that come again in a new vtkPolyData are recognized.
   struct InstanceKey
   {
     std::vector<vtkMTimeType> Times;

@@ -31,7 +31,7 @@ std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* s
 void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
 {
   rtglyphs::GlyphMotion::Settings settings = this->Settings.Motion;
-  settings.AngularVelocity.clear(); // points do not turn
+  settings.AngularVelocity.clear(); // points do not rotate
   const rtglyphs::GlyphMotion motion(surface, settings);
   rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::BuildRelative(
     surface, this->Hidden, actor->GetMatrix(), this->Settings.Smooth, motion);

@@ -2,7 +2,7 @@
  * @class   vtkRayTracedSurfaceMapper
  * @brief   shows triangles as a surface among ray-traced glyphs
  *
- * Input is the vtkPolyData of RayTracedSurfaceGatherer. To the scene the surface is one glyph in the form of a mesh.
+ * Input is the vtkPolyData of RayTracedSurfaceGatherer. To the scene the surface is one mesh glyph.
  * Colors are a part of the mesh, of its positions or of its triangles.
  *
  * With motion (GlyphMotion) each point of the surface moves by itself while the shutter is open; angular velocities

@@ -195,7 +195,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-// On all ranks that have data; before anything asks for the glyphs' size.
+// On all ranks that have data; before the first use of the glyphs' size.
 void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
 {
   if (!this->ScaleFactorFromData || this->GetNumberOfInputConnections(0) == 0)
@@ -425,7 +425,7 @@ void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 //****************************************************************************
 
 //----------------------------------------------------------------------------
-// Properties that determine each other are put together here, whatever the order in which they were set.
+// Properties that determine each other are combined here, in any order in which they were set.
 rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   rtglyphs::GlyphSettings settings = this->Glyphs.InRange();
@@ -579,7 +579,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
 {
-  // What is no number makes no glyph, as zero does.
+  // NaN makes no glyph, as zero does.
   this->Glyphs.Exponents[0] = rtglyphs::RayTracedNumbers::NumberOr(r, 0.0);
   this->Glyphs.Exponents[1] = rtglyphs::RayTracedNumbers::NumberOr(s, 0.0);
   this->Glyphs.Exponents[2] = rtglyphs::RayTracedNumbers::NumberOr(t, 0.0);

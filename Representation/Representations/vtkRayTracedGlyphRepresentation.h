@@ -2,7 +2,7 @@
  * @class   vtkRayTracedGlyphRepresentation
  * @brief   representation that shows the points of any data set as ray-traced glyphs
  *
- * @sa vtkGlyph3DRepresentation, whose meaning of scale and orientation arrays this one shares.
+ * @sa vtkGlyph3DRepresentation, whose scale and orientation arrays have the same meaning here.
  */
 #ifndef vtkRayTracedGlyphRepresentation_h
 #define vtkRayTracedGlyphRepresentation_h
@@ -59,7 +59,7 @@ public:
   void SetGlyphShape(int shape);
 
   /**
-   * What carries a glyph: each point of the input, or each cell at its center.
+   * Location of the glyphs: each point of the input, or each cell's center.
    */
   enum Locations
   {
@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * What GlyphScaleGuess has found, where ScaleFactorFromData is on: factor and limit. Processes that have data use
-   * it by themselves; those that only render are told by SetScaleFactor() and SetGlyphSizeLimit(), the client being
+   * The result of GlyphScaleGuess, where ScaleFactorFromData is on: factor and limit. Processes that have data use
+   * it by themselves; those that only render get it by SetScaleFactor() and SetGlyphSizeLimit(), the client being
    * between them.
    */
   double* GetScaleFactorGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
@@ -112,7 +112,7 @@ public:
 
   ///@{
   /**
-   * What processes that only render must know of the data: GlyphHighScale, and width and height of the mesh of mesh
+   * Values of the data for processes that only render: GlyphHighScale, and width and height of the mesh of mesh
    * glyphs; numbers are 0 where there is none. The client carries them there.
    */
   double* GetGlyphDataSizesInfo() VTK_SIZEHINT(4) { return this->DataSizes.data(); }

@@ -149,7 +149,7 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObj
 }
 
 //----------------------------------------------------------------------------
-// What processes without data have in their place: of the type of what is received.
+// Placeholder on processes without data: of the type that is received.
 int vtkRayTracedRepresentation::EmptyType() const
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -657,7 +657,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   std::copy_n(this->GetDataBounds(points ? points : nothing.Get()), 6, bounds);
   rtg::PeriodicImages images = this->MakeImages(points, delivered, collective);
   rtglyphs::ExtendBounds(images, bounds);
-  // In a domain without end no sky is seen: light that comes from any distance meets what is shown alone.
+  // In an unbounded domain no sky is visible: light from any distance meets only what is shown.
   const rtglyphs::RayTracedImageSettings& light = scene->GetSettings();
   if (light.ShadingMode != static_cast<int>(rtg::Shading::AmbientOcclusion) || light.AmbientOcclusionRadius <= 0.0)
   {

@@ -59,7 +59,7 @@ public:
   /**
    * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
    * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphStepVelocity, where
-   * an array of one component, by default the global ids, tells which point is which. See GlyphMotion::Settings for
+   * an array of one component, by default the global ids, identifies points. See GlyphMotion::Settings for
    * defaults.
    */
   void SetMotionBlur(bool on) { this->Motion.On = on; }
@@ -99,7 +99,7 @@ public:
   ///@{
   /**
    * A cut: kinds and faces are those of RayTracedSection. Of a plane what lies on the side of its normal is cut off, of
-   * a box what is outside; not inverted the other way round. All in world coordinates.
+   * a box what is outside; not inverted the opposite. All in world coordinates.
    */
   void SetSection(int kind) { this->Section.Kind = kind; }
   void SetSectionInvert(bool invert) { this->Section.Invert = invert; }
@@ -138,8 +138,8 @@ protected:
   ///@{
   /**
    * The data side. Gather() makes what is delivered to the mapper of one data set, a block of composite data or all,
-   * and tells `progress`; `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names of
-   * those that are to be made of several. GetDataBounds() are those of everything shown of gathered or delivered
+   * and reports to `progress`; `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names
+   * of those that are to be made of several. GetDataBounds() are those of everything shown of gathered or delivered
    * points, before the actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
@@ -190,7 +190,7 @@ protected:
   const double* GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings);
 
   /**
-   * Tells ParaView's progress bar.
+   * Reports to ParaView's progress bar.
    */
   rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what);
 

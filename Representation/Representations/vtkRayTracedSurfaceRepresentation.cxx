@@ -10,7 +10,7 @@
 vtkStandardNewMacro(vtkRayTracedSurfaceRepresentation);
 
 //----------------------------------------------------------------------------
-// Where unstructured data are spread over processes, ghost cells tell the faces between two pieces from outer ones.
+// Where unstructured data are spread over processes, ghost cells mark the faces between two pieces as inner ones.
 vtkRayTracedSurfaceRepresentation::vtkRayTracedSurfaceRepresentation()
 {
   this->RequestGhostCellsIfNeeded = true;

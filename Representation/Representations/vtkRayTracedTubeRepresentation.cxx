@@ -62,7 +62,7 @@ rtglyphs::GlyphSettings vtkRayTracedTubeRepresentation::GetSizes(vtkPolyData* li
 }
 
 //----------------------------------------------------------------------------
-// Asked for at each render.
+// Called at each render.
 double vtkRayTracedTubeRepresentation::LargestOf(vtkDataArray* radii)
 {
   if (this->Radii != radii || this->RadiiTime != radii->GetMTime())

@@ -72,12 +72,12 @@ public:
   void StopRefinement();
 
   /**
-   * What was done, and how far the view's last frame is; see RayTracedFrameStatus.
+   * Statistics and progress of the view's last frame; see RayTracedFrameStatus.
    */
   const char* GetRenderStatistics();
 
   /**
-   * The place of what is seen in a pixel, counted from the lower left, as a JSON array; empty: nothing ray-traced is.
+   * The position of the glyph in a pixel, counted from the lower left, as a JSON array; empty: there is none.
    * To be called by all ranks that render at once.
    */
   const char* FindPlace(int x, int y);
@@ -88,8 +88,8 @@ public:
   bool GetRenderedRemotely();
 
   /**
-   * Whether this process has a Vulkan device to trace with; `words` tell which, or what is missing and how to get it.
-   * Drivers are asked, no device is made.
+   * Whether this process has a Vulkan device to trace with; `words` name it, or what is missing and how to get it.
+   * Lists the drivers' devices; no device is made.
    */
   static bool FindDevice(std::string& words);
 

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //RayTraced::Define
-//  Fragment shader of the full-viewport quad that puts a ray-traced image into the view: its colour, and
+//  Fragment shader of the full-viewport quad that puts a ray-traced image into the view: its color, and
 //  its depth in place of the quad's. Depth peeling replaces the tags where the image is translucent, and the view's
 //  ambient occlusion in screen space (vtkSSAOPass) those that write the surface's place and normal.
 //VTK::Output::Dec

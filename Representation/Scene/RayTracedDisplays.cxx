@@ -135,7 +135,7 @@ rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::functio
 }
 
 //----------------------------------------------------------------------------
-// What several ranks have to say the first of them says.
+// The first rank reports a message of several ranks.
 void rtglyphs::RayTracedDisplays::ReportMessages(bool collective)
 {
   std::vector<std::pair<vtkRayTracedMapper*, std::string>> own;

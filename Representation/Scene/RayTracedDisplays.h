@@ -26,7 +26,7 @@ class RayTracedImages;
 struct RayTracedImageSettings;
 
 /**
- * What a representation does with its data before they are rendered: how often, and the seconds of that.
+ * A representation's work on its data before rendering: how often, and its seconds.
  */
 struct RayTracedDataStatistics
 {
@@ -49,7 +49,7 @@ public:
     bool Translucent = false; // and then in the translucent pass
     RayTracedDataStatistics Data;
 
-    // What the kernels have.
+    // In the kernels.
     std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
     std::uint64_t SentInstances = 0, SentColors = 0, SentMaterial = 0;
     std::uint64_t MaterialVersion = 0;
@@ -74,8 +74,8 @@ public:
 
   /**
    * Brings instances and colors of all visible displays up to date and, where the settings want it and all ranks render
-   * together, asks these what they have near. Returns whether the frame shows something else than the last one did.
-   * `report` gets what could not be made.
+   * together, receives from these what they have near. Returns whether the frame shows something else than the last one
+   * did. `report` gets what could not be made.
    */
   bool Update(vtkRenderer* renderer, const RayTracedImageSettings& settings, bool collective, RayTracedImages& images,
     const std::function<void(const std::string&)>& report);
@@ -109,15 +109,15 @@ public:
   void Commit(rtg::Scene& scene, std::uint64_t sceneNumber, vtkRenderer* renderer);
 
   /**
-   * What is shown. Instances that the kernels have been handed are theirs; where they have been given back they are
-   * built again, into `built`.
+   * The scene's representations. Instances that the kernels have been handed are theirs; where they have been given
+   * back they are built again, into `built`.
    */
   std::vector<RayTracedNeighbors::Shown>
   GetShown(RayTracedImages& images, std::vector<rtg::GlyphInstances>& built) const;
 
 private:
   // Of each shown display the versions of its instances, colors and material, and that of the neighbors: two frames
-  // with the same list look the same.
+  // with the same list draw the same picture.
   using Versions = std::vector<std::array<std::uint64_t, 3>>;
 
   Versions UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
@@ -128,7 +128,7 @@ private:
   std::uint64_t MaterialVersions = 0;
   RayTracedNeighbors Neighbors;
   Versions Shown;         // in the last frame
-  Versions ShownToOthers; // when neighbors were last asked for
+  Versions ShownToOthers; // when neighbors were last exchanged
   std::uint64_t Version = 0;
 };
 

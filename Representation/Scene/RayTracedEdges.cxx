@@ -11,7 +11,7 @@
 
 namespace
 {
-// What a rank shows in a pixel.
+// A rank's color and depth in a pixel.
 struct Fragment
 {
   std::uint32_t Pixel, Color;
@@ -19,7 +19,7 @@ struct Fragment
   std::uint32_t Rank;
 };
 
-// What lies behind what it shows there.
+// The color behind it.
 struct Behind
 {
   std::uint32_t Pixel, Color;
@@ -76,7 +76,7 @@ std::uint32_t Over(const Fragment* first, const Fragment* end)
   return color;
 }
 
-// The first pixel of a rank's share of the picture.
+// The first pixel of a rank's part of the picture.
 std::size_t BeginOf(int rank, int ranks, std::size_t pixels)
 {
   return pixels * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks);
@@ -157,7 +157,7 @@ void rtglyphs::RayTracedEdges::FindBehind(const rtg::Image* image, std::size_t p
   }
   rtglyphs::RayTracedRanks::Reduce(edges, vtkCommunicator::BITWISE_OR_OP);
 
-  // To the rank that looks through the pixel
+  // To the rank that processes the pixel
   std::vector<std::vector<char>> fragments(ranks);
   for (int to = 0; to < ranks && ownPixels > 0; ++to)
   {

@@ -1,9 +1,9 @@
 /**
- * What other ranks show behind the smooth edges of this one.
+ * Colors of other ranks behind the anti-aliased edges of this one.
  *
  * Of two ranks' pixels compositing by depth keeps the nearer one. Where that is covered only in part, what lies behind
  * is seen through the rest, and may be another rank's. Before they draw, ranks send each other what they show in such
- * pixels; each rank looks through those of its share of the picture, and sends what lies behind an edge to the rank
+ * pixels; each rank processes those of its part of the picture, and sends what lies behind an edge to the rank
  * that shows the edge, which draws it first. Layers are put together by their coverage, as if edges within one pixel
  * were independent (Porter and Duff, Compositing Digital Images, SIGGRAPH 1984).
  */

@@ -1,7 +1,7 @@
 /**
  * The anti-aliasing in screen space (FXAA) of a view, but for ray-traced images: their edges are smooth already, and
  * FXAA would blur them and, in transparent screenshots, which are made of a picture before white and one before black,
- * tear holes.
+ * leave gaps.
  */
 #ifndef RayTracedFXAA_h
 #define RayTracedFXAA_h

@@ -1,5 +1,5 @@
 /**
- * What an image shows besides its colors, as a file for scripts: XML image data (.vti) with one point a pixel, the
+ * Features of an image besides its colors, as a file for scripts: XML image data (.vti) with one point a pixel, the
  * lower left one first. Point arrays: Color (RGBA), WindowDepth, ViewDepth (world units), Normal (unit, world frame),
  * Albedo (color without light), all means over the samples that hit and 0 where nothing was hit (WindowDepth: 1);
  * Representation (number of the view's ray-traced representation), OriginalId (its input's point, or a surface's cell;

@@ -52,7 +52,7 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
   }
   view.content = this->Own.Content;
   const rtg::ImageEffort effort = rtglyphs::RayTracedImageRequest::EffortOf(settings, this->Own);
-  // Ranks that all have everything trace a share each, and compositing puts these together.
+  // Ranks that all have everything trace a part each, and compositing joins these.
   if (this->Own.Collective && settings.IsReplicated() && !effort.preview && !effort.features &&
     !rtg::Denoises(view, effort))
   {
@@ -74,11 +74,11 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
     return &*drawn;
   }
 
-  // Another camera, for example, is asked for because the user wants to see more.
+  // The user may have moved the camera to see more.
   const bool stays = this->IsStopped() && entry.Image.View() == view;
   this->Stopped = this->Own.Capture ? this->Stopped : stays;
   const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
-  // The user may not want it any more; and ParaView's progress bar tells how far it is.
+  // The user may stop it; ParaView's progress bar shows its progress.
   rtglyphs::RayTracedSignal signal;
   this->Progress.Start();
   const rtg::Interrupt interrupt = [&](double share)

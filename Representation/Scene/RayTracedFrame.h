@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * What is told of the frame: each image that was traced, and why the camera sees nothing, once.
+   * The frame's messages: each image that was traced, and why the camera sees nothing, once.
    */
   struct Listener
   {
@@ -64,7 +64,7 @@ public:
 
   ///@{
   /**
-   * Whether images that are not finished stay as they are until another one is asked for, or a capture.
+   * Whether images that are not finished stay as they are until another one or a capture is requested.
    */
   void SetStopped(bool stopped) { this->Stopped = stopped; }
   bool IsStopped() const { return this->Stopped && !this->Own.Capture; }

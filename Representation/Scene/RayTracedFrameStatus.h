@@ -1,5 +1,5 @@
 /**
- * What a view says of its last frame: how far it is, its samples, and its statistics, of all ranks that rendered it
+ * Information on a view's last frame: its progress, samples and statistics, of all ranks that rendered it
  * together.
  */
 #ifndef RayTracedFrameStatus_h
@@ -31,7 +31,7 @@ public:
   };
 
   /**
-   * What all ranks must know of a frame that they rendered together is put together here: to be called by all of them
+   * Reduces the values of a frame over the ranks that rendered it together: to be called by all of them
    * at once, or else by this one alone.
    */
   void SetFrame(Frame frame, bool collective);
@@ -42,7 +42,7 @@ public:
   void Finish();
 
   /**
-   * What a frame that is not finished waits for.
+   * The work that an unfinished frame waits for.
    */
   static const char* NameOfStep(bool compiling) { return compiling ? "Compiling Programs" : "Ray Tracing"; }
 

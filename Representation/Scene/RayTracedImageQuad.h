@@ -36,12 +36,13 @@ public:
 
   enum Uses
   {
-    BLEND, // colour, blended by alpha
-    IDS    // exact values in place of colour
+    BLEND, // color, blended by alpha
+    IDS    // exact values in place of color
   };
 
   /**
-   * Sends an image: RGBA8 and window depths, bottom row first. Its version, if not 0, tells whether the quad shows it.
+   * Sends an image: RGBA8 and window depths, bottom row first. Its version, if not 0, identifies the image that the
+   * quad shows.
    */
   bool Shows(std::uint64_t version) const { return this->Sent && version != 0 && version == this->Version; }
   void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, const std::uint32_t* color,
@@ -63,7 +64,7 @@ public:
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use);
 
   /**
-   * Draws pixels of the viewport again where the image is seen: where nothing that has depth lies before it.
+   * Draws pixels of the viewport again where the image is visible: where nothing that has depth lies before it.
    */
   void DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels);
 

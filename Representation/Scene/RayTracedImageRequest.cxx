@@ -79,7 +79,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings = ToTraceSettings(settings);
   view.settings.width = width;
   view.settings.height = height;
-  // Headlight and light kit make up for the lack of light from all around; path tracing has that.
+  // Headlight and light kit replace environment light, which path tracing has.
   const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
   const bool soft = settings.Shadows || view.settings.shading == rtg::Shading::PathTracing;
   view.lights = rtglyphs::RayTracedRendererState::LightsOf(
@@ -95,7 +95,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   {
     rtglyphs::RayTracedStudioLight::Apply(view, renderer);
   }
-  // Where no light casts a shadow nobody is to ask for any.
+  // Without lights that cast shadows there are no shadow rays.
   view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&
     std::any_of(view.lights.begin(), view.lights.end(),
       [](const rtg::Light& light) { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });

@@ -1,5 +1,5 @@
 /**
- * What a renderer asks of the kernels: the image of its camera in the light of the view's settings, and how much of it.
+ * A renderer's request to the kernels: the image of its camera with the view's settings, and how much of it.
  */
 #ifndef RayTracedImageRequest_h
 #define RayTracedImageRequest_h
@@ -23,7 +23,7 @@ rtg::ImageView ViewOf(const RayTracedImageSettings& settings, vtkRenderer* rende
   RayTracedRendererState::Environment& environment);
 
 /**
- * What is done to the pixels of an image of that view, which may have fewer than were asked for.
+ * Screen effects for an image of that view, which may have fewer than were requested.
  */
 rtg::ScreenEffects
 EffectsOf(const RayTracedImageSettings& settings, const rtg::ImageView& view, const rtg::Image& image);
@@ -36,7 +36,7 @@ struct Frame
   bool Capture = false;     // is shown only once
   bool Interactive = false; // the camera moves
   bool Features = false;    // features of the finished image are wanted
-  int Images = 1;           // share the frame's time
+  int Images = 1;           // divide the frame's time
 };
 rtg::ImageEffort EffortOf(const RayTracedImageSettings& settings, const Frame& frame);
 }

@@ -15,7 +15,7 @@ struct RayTracedImageSettings
   double AmbientOcclusionRadius = 0.0; // world units, >= 0; 0: unbounded
   int SecondaryRays = 0;               // a sample, in [0, 64]; 0: what suits the shading mode
   int MaximumBounces = 10;             // of path tracing, in [1, 1000]
-  int Illumination = 0;                // where the light from all around comes from
+  int Illumination = 0;                // environment light: RayTracedStudioLight or uniform
   static constexpr int StudioLight = 0, UniformLight = 1;
   bool Shadows = false;        // of lights, where the shading mode has a choice
   double ShadowSoftness = 2.0; // degrees, in [0, 45]: angular radius of lights that have no radius

@@ -21,7 +21,7 @@ std::shared_ptr<rtg::Device> DeviceOfProcess()
 }
 }
 
-// What traces an entry's image.
+// The tracer of an entry's image.
 class rtglyphs::RayTracedImages::Source : public rtg::ImageSource
 {
 public:
@@ -64,7 +64,7 @@ public:
     }
     catch (...)
     {
-      // What was sent only in part must not be taken for whole.
+      // A partial upload must not be taken for a complete one.
       this->Images.DropScene();
       throw;
     }

@@ -80,12 +80,12 @@ public:
   Entry& Get(const Place& place);
 
   /**
-   * The image of a pass that shows this view in full resolution, whatever its light; null: there is none.
+   * The image of a pass that shows this view in full resolution, in any shading mode; null: there is none.
    */
   Entry* FindSame(const rtg::ImageView& view);
 
   /**
-   * What the last frame at this place, of any pass, has drawn, by pass; null: nothing.
+   * Images that the last frame at this place drew, by pass; null: none.
    */
   std::array<Entry*, Passes> GetLast(Place place);
 

@@ -9,7 +9,7 @@
 
 namespace
 {
-// Before each set on its way between ranks.
+// Before each set in a message between ranks.
 struct Header
 {
   std::int64_t Display;
@@ -81,7 +81,7 @@ std::string rtglyphs::RayTracedNeighbors::Exchange(
 }
 
 //----------------------------------------------------------------------------
-// To each rank what reaches into its neighborhood.
+// To each rank what overlaps its neighborhood.
 void rtglyphs::RayTracedNeighbors::SendNear(const std::vector<Shown>& sets)
 {
   std::vector<std::vector<rtg::Box>> boxes;

@@ -1,9 +1,9 @@
 /**
- * Light across ranks: each rank gets the glyphs and triangles of the others that reach into its neighborhood, which
- * shade what it shows and are not seen themselves.
+ * Light across ranks: each rank gets the glyphs and triangles of the others that overlap its neighborhood, which
+ * shade what it shows and are invisible themselves.
  *
  * A rank's neighborhood is the box round what it shows, grown by the distance from which things occlude. What comes
- * from others is asked for again only when something of any rank has changed.
+ * from others is exchanged again only when something of any rank has changed.
  */
 #ifndef RayTracedNeighbors_h
 #define RayTracedNeighbors_h
@@ -23,7 +23,7 @@ class RayTracedNeighbors
 {
 public:
   /**
-   * What this rank shows of a display. Displays have the same numbers on all ranks.
+   * This rank's part of a display. Displays have the same numbers on all ranks.
    */
   struct Shown
   {
@@ -34,7 +34,7 @@ public:
 
   /**
    * To be called by all ranks at once. `changed`: what this rank shows is not what it was at the last call; only then,
-   * on some rank, `shown` is asked for. `displays` is the number of displays. Returns what went wrong on this rank;
+   * on some rank, `shown` is called. `displays` is the number of displays. Returns what went wrong on this rank;
    * nothing is sent when something has gone wrong on any.
    */
   std::string Exchange(double reach, bool changed, int displays, const std::function<std::vector<Shown>()>& shown);
@@ -72,7 +72,7 @@ private:
   std::vector<Set> Sets;
   std::uint64_t Version = 0, Glyphs = 0, Bytes = 0;
   double Reach = -1.0; // of the last exchange; negative: there was none
-  // What of it the kernels have.
+  // Its part in the kernels.
   std::uint64_t SentVersion = 0, SentScene = 0;
   std::vector<rtg::Scene::SetId> Sent;
   std::vector<rtg::Material> SentMaterials;

@@ -14,7 +14,7 @@
 
 namespace
 {
-// What a hardware selector reads in the place of colors: one number a pixel of one mapper, in one of its passes.
+// Values that a hardware selector reads in place of colors: one number a pixel of one mapper, in one of its passes.
 struct IdBuffer
 {
   std::vector<std::uint32_t> Values; // RGBA8; 0: the pixel shows something else

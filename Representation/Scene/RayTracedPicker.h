@@ -1,5 +1,5 @@
 /**
- * What the camera sees in a pixel: numbers for a renderer's hardware selector, and places. An image that is shown knows
+ * The glyph in a pixel: numbers for a renderer's hardware selector, and places. An image on the screen has
  * that; without one, one ray a pixel finds it.
  */
 #ifndef RayTracedPicker_h
@@ -30,7 +30,7 @@ public:
   using Failed = std::function<void(const rtg::ProgressiveImage&)>;
 
   /**
-   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
+   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector needs.
    */
   void DrawIds(const RayTracedDisplays& displays, RayTracedImages& images, vtkRenderer* renderer, vtkActor* actor,
     vtkRayTracedMapper* mapper, const Failed& failed);

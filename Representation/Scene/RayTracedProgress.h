@@ -1,5 +1,5 @@
 /**
- * Tells ParaView's progress bar what a frame is doing, once that has taken a while, and gives
+ * Reports a frame's work to ParaView's progress bar, once that has taken a while, and gives
  * a frame its OpenGL context back when the bar was painted: a user interface paints with a context of its own.
  */
 #ifndef RayTracedProgress_h
@@ -35,17 +35,17 @@ public:
   void EndFrame();
 
   /**
-   * Work begins, of which there is nothing to tell yet.
+   * Work begins, without progress yet.
    */
   void Start();
 
   /**
-   * `share` in [0, 1] of what `text` names is done.
+   * The fraction `share` in [0, 1] of the work that `text` names is done.
    */
   void Report(const char* text, double share);
 
 private:
-  vtkNew<vtkAlgorithm> Reporter; // the bar knows algorithms only
+  vtkNew<vtkAlgorithm> Reporter; // the bar takes algorithms only
   bool IsKnown = false;
   vtkNew<vtkCallbackCommand> Before, After; // what listens to progress
   vtkWeakPointer<vtkPVProgressHandler> Handler;

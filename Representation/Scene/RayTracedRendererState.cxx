@@ -208,7 +208,7 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
   auto image = std::make_shared<rtg::EnvironmentImage>();
   image->right = right;
   image->up = up;
-  // Blocks of side x side texels become one, of their mean light: the light from an image asks for no more of them.
+  // Blocks of side x side texels become one, of their mean light: an environment image needs no more.
   const vtkIdType columns = input->GetDimensions()[0], rows = input->GetDimensions()[1];
   const vtkIdType side = std::max<vtkIdType>(1,
     std::max((columns + mostEnvironmentColumns - 1) / mostEnvironmentColumns,
@@ -226,7 +226,7 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
       glm::vec3 radiance;
       for (int c = 0; c < 3; ++c)
       {
-        // One component, or one and alpha: grey.
+        // One component, or one and alpha: gray.
         const double value = colours->GetComponent(y * columns + x, components >= 3 ? c : 0);
         radiance[c] = static_cast<float>(display ? value / 255.0 : value);
       }

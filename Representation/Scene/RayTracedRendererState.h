@@ -40,7 +40,7 @@ rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
 std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, double softness, bool placedOnly = false);
 
 /**
- * The image that the renderer takes light from all around from (vtkRenderer::UseImageBasedLighting), with 8-bit colours
+ * The renderer's environment image (vtkRenderer::UseImageBasedLighting), with 8-bit colors
  * as sRGB and others as linear; null: it has none, or none of two dimensions. `last` is given back when it is still
  * that image. Images of more than 4096 x 2048 texels are made smaller by means over blocks.
  */
@@ -53,7 +53,7 @@ struct Environment
 Environment EnvironmentOf(vtkRenderer* renderer, const Environment& last);
 
 /**
- * What the property says; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.
+ * The property's material; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.
  */
 rtg::Material MaterialOf(vtkProperty* property, vtkRenderer* renderer);
 }

@@ -44,7 +44,7 @@ public:
 
   void SetScene(vtkRayTracedScene* scene);
 
-  /// What exporters ask the actors of a renderer for; the scene then says that it is not in the file.
+  /// Called by exporters on the actors of a renderer; the scene then warns that it is not in the file.
   vtkMapper* GetMapper() override;
 
   vtkTypeBool HasOpaqueGeometry() override;

@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkRayTracedScene);
 
 namespace
 {
-// Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
+// Above this, in frames per second, a render is interactive: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
 
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
@@ -324,13 +324,13 @@ void vtkRayTracedScene::CheckImage(const rtg::ProgressiveImage& image, bool fail
   {
     self.CutReported = true;
     vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << image.Samples() << " of "
-                    << self.Settings.SamplesPerPixel << " samples a pixel. Save it again to have them all.");
+                    << self.Settings.SamplesPerPixel << " samples per pixel. Save it again to have them all.");
   }
 }
 
 //----------------------------------------------------------------------------
-// What other ranks show behind the smooth edges of this one. Before anything is drawn, because compositing makes only
-// those ranks draw that have something within the view.
+// Colors of other ranks behind the anti-aliased edges of this one. Before anything is drawn, because compositing makes
+// only those ranks draw that have something within the view.
 void vtkRayTracedScene::ExchangeEdges()
 {
   Internals& self = *this->Self;
@@ -357,7 +357,7 @@ void vtkRayTracedScene::ExchangeEdges()
     self.Edges.Exchange(whole ? drawn->Image : nullptr, whole ? drawn->Entry->Image.Version() : 0);
   if (!problem.empty())
   {
-    this->Report("Ray Traced Glyphs: smooth edges in front of other ranks' glyphs are mixed with the background (" +
+    this->Report("Ray Traced Glyphs: anti-aliased edges show the background instead of other ranks' glyphs (" +
       problem + "). Make the picture smaller, or set ParallelLight to Replicated.");
   }
 }

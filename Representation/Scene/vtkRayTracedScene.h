@@ -4,8 +4,8 @@
  *
  * A renderer has at most one scene. The view's settings are those of its vtkRayTracedView. Representations add their
  * actors and mappers; an actor of the scene's own draws the image, behind the other actors of the
- * renderer, because smooth edges are blended with what lies behind them. The actors that were added draw only ids, for
- * a selector.
+ * renderer, because anti-aliased edges are blended with what lies behind them. The actors that were added draw only
+ * ids, for a selector.
  *
  * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is
  * handed to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
@@ -72,7 +72,7 @@ public:
   ///@}
 
   /**
-   * What the next frames are for. `capture`: pictures that ParaView takes without showing them, and only once: each has
+   * Purpose of the next frames. `capture`: pictures that ParaView takes without showing them, and only once: each has
    * all samples. `collective`: all ranks render them together. `ordered`: what they draw is blended in the order in
    * which their data lie, and not put together by depth.
    */
@@ -102,7 +102,7 @@ public:
   void SmoothFrame();
 
   /**
-   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
+   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector needs.
    */
   void DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper);
 
@@ -113,7 +113,7 @@ public:
   bool PlaceAt(int x, int y, double place[3]);
 
   /**
-   * What the last frame showed, for exporters that write it.
+   * The representations of the last frame, for exporters.
    */
   struct Shown
   {
@@ -124,7 +124,7 @@ public:
   std::vector<Shown> CopyShown();
 
   /**
-   * Says, once after each frame, that a scene that is being exported goes without what is ray traced.
+   * Warns, once after each frame, that exporters leave ray-traced displays out.
    */
   void ReportExport();
 

@@ -215,7 +215,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   if (!tensors.empty() && !ColorArrayOf(display).empty())
   {
-    colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no bar of what is not seen
+    colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no scalar bar of an invisible array
   }
   if (tensors.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
   {

@@ -1,7 +1,7 @@
 /**
- * What ray-traced glyphs are colored by while ColorFromData is on: by what they show, as ParaView colors volumes and
- * slices at once. In the window it is switched on, but neither where the user or the user's settings have chosen, nor
- * where ParaView has found a quantity to color by.
+ * The quantity that colors ray-traced glyphs while ColorFromData is on: the one that they show, as ParaView colors
+ * volumes and slices at once. In the window it is switched on, but neither where the user or the user's settings have
+ * chosen, nor where ParaView has found a quantity to color by.
  */
 #ifndef RayTracedColoring_h
 #define RayTracedColoring_h

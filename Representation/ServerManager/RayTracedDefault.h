@@ -1,7 +1,7 @@
 /**
  * Defaults that ParaView's domains choose for properties of this plugin: arrays, places and sizes that fit the data.
  *
- * Every display of a data set has these properties, whatever it is shown as, and ParaView would name them in the trace
+ * Every display of a data set has these properties, in every representation, and ParaView would name them in the trace
  * and the Python state of any display: scripts that do not run without this plugin. So on displays that show nothing
  * ray traced a value that ParaView has chosen counts as the default; so does, on all displays, a number that follows
  * the data.

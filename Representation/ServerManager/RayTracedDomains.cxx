@@ -75,7 +75,7 @@ public:
 
 // Values of ShutterTime: from zero to a few times what the data suggest. Required properties:
 // Guess, an information property whose first element is what the data suggest, and FromData, which says whether that
-// counts. The default is to let it count, chosen anew: the data are asked when the view is next updated. ParaView's
+// counts. The default is to let it count: the value is computed when the view is next updated. ParaView's
 // panel gives domains of bounds a slider and a reset button.
 class ScaleDomain final : public vtkSMBoundsDomain
 {
@@ -96,7 +96,7 @@ public:
     }
     if (vtkSMPropertyHelper(fromData).GetAsInt() == 1)
     {
-      fromData->Modified(); // so that the data are asked again
+      fromData->Modified(); // so that the value is computed again
     }
     else
     {

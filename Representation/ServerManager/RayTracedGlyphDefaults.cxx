@@ -56,7 +56,7 @@ struct InputArrays : vtkSMInputArrayDomain
 
 const char* const sharedArrays[] = { "SelectOrientationVectors", "SelectScaleArray" };
 
-// Those that the choice of arrays depends on: what turns and scales arrows differs from what turns and scales bodies.
+// The choice of arrays depends on these: arrows and bodies have different arrays for orientation and scale.
 const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
 // Those that ray-traced glyphs have another default of.
@@ -186,7 +186,7 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
       this->Chosen.erase(name);
     }
     vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(reset && ShowsGlyphs(display));
-    glyphs->GetProperty("ScaleFactorFromData")->Modified(); // so that the data are asked again
+    glyphs->GetProperty("ScaleFactorFromData")->Modified(); // so that the value is computed again
   }
 }
 
@@ -405,7 +405,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
 }
 
 //----------------------------------------------------------------------------
-// In the window bodies, and spheres that nobody has chosen, have the sizes that the data say they have; scripts say so.
+// In the window bodies, and default spheres, take their sizes from the data; scripts set them.
 void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
 {
   auto* list = glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();

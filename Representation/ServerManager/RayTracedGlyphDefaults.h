@@ -1,5 +1,5 @@
 /**
- * Defaults of the properties that ray-traced glyphs share with 3D Glyphs: where neither the user nor a script has set
+ * Defaults of the properties of ray-traced glyphs that 3D Glyphs has, too: where neither the user nor a script has set
  * them, a display that is first shown as ray-traced glyphs gets glyphs as large as the data suggest, turned where the
  * data have directions, and spheres where they have none.
  */

@@ -25,7 +25,7 @@ bool taking = false; // a number is set to what the data suggest, not by the use
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedSuggestion::Follow(vtkSMProxy* representation, const char* name)
 {
-  // What another client sets comes with its FromData.
+  // Values of another client come with its FromData.
   if (taking || representation->GetSession()->IsProcessingRemoteNotification())
   {
     return;

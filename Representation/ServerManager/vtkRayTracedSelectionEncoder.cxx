@@ -34,7 +34,7 @@ protected:
 };
 vtkStandardNewMacro(Factory);
 
-// Moves what is marked in a selection of cells to one of points, or the other way round; false: there is nothing.
+// Moves what is marked in a selection of cells to one of points, or the reverse; false: there is nothing.
 bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(from->GetSelectionList());

@@ -1,6 +1,6 @@
 /**
  * @class   vtkRayTracedSelectionEncoder
- * @brief   selects what glyphs stand for, whatever is asked for
+ * @brief   selects the glyphs' points or cells, for selections of either
  *
  * Glyphs of points without cells give a EncodeCellId() number in the place of a cell's, glyphs at the centers of cells
  * one in the place of a point's (RayTracedArrays). This class makes a selection of those points or cells, so that
@@ -19,7 +19,7 @@ public:
   vtkTypeMacro(vtkRayTracedSelectionEncoder, vtkPVEncodeSelectionForServer);
 
   /**
-   * Makes objects of this class where ParaView asks for its own encoder.
+   * Makes objects of this class in place of ParaView's encoder.
    */
   static void Register();
 

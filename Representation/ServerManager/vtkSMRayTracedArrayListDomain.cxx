@@ -205,7 +205,7 @@ Choice vtkSMRayTracedArrayListDomain::Choose()
 }
 
 //----------------------------------------------------------------------------
-// Shapes that 3D Glyphs lacks: it shares the property, and takes no quaternions and matrices beside directions.
+// Shapes that 3D Glyphs lacks: it has the same property, and takes no quaternions and matrices beside directions.
 bool vtkSMRayTracedArrayListDomain::IsBody(vtkSMProxy* glyphs)
 {
   using Shapes = vtkRayTracedGlyphRepresentation;

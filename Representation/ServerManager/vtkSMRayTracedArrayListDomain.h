@@ -2,7 +2,7 @@
  * @class   vtkSMRayTracedArrayListDomain
  * @brief   a list of arrays whose default is chosen by what the arrays are
  *
- * ParaView's own list takes the active attribute, and without one whatever comes first. The attribute `choice` in the
+ * ParaView's own list takes the active attribute, and without one the first array. The attribute `choice` in the
  * XML says which role it has (GlyphArrayRoles): direction, velocity, tensor, harmonics,
  * exponents or scale. Bodies, all shapes but
  * arrows and cones, are turned by rotations first, and arrows are as long as their direction. Without any: None.
@@ -36,7 +36,7 @@ public:
   using Choice = rtglyphs::GlyphArrayRoles::Choice;
 
   /**
-   * What is known of the listed arrays.
+   * Information on the listed arrays.
    */
   std::vector<Array> Listed();
 
@@ -47,12 +47,12 @@ public:
   Choice ChooseFor(rtglyphs::GlyphArrayRoles::Role role, const std::vector<Array>& arrays);
 
   /**
-   * Whether glyphs have a shape that rotations turn.
+   * Whether glyphs have a shape that rotations change.
    */
   static bool IsBody(vtkSMProxy* glyphs);
 
   /**
-   * Whether there is what `direction` or `tensor` would choose, whatever the list.
+   * Whether the data have an array that `direction` or `tensor` would choose.
    */
   static bool HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes);
 #endif

@@ -44,7 +44,7 @@ vtkSMRayTracedViewProxy* vtkSMRayTracedRepresentationProxy::GetView()
 }
 
 //----------------------------------------------------------------------------
-// What is known of the data is that of the processes that have them.
+// Information on the data comes from the processes that have them.
 void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {
   vtkSMProperty* statistics = this->GetProperty("RenderStatistics");

@@ -42,7 +42,7 @@ vtkSMProxy* SettingsOf(vtkSMProxy* display)
   return display->GetProperty("ShadingMode")->GetParent();
 }
 
-// What a display shows, when it is ray traced.
+// A display's ray-traced representation.
 vtkRayTracedRepresentation* ShownBy(vtkSMProxy* display)
 {
   auto* all = vtkCompositeRepresentation::SafeDownCast(display->GetClientSideObject());
@@ -270,7 +270,7 @@ bool vtkSMRayTracedViewProxy::IsRenderedRemotely()
 }
 
 //----------------------------------------------------------------------------
-// Of the process that renders; with remote rendering nothing happens on the client, and the server's first rank knows.
+// Of the process that renders; with remote rendering nothing happens on the client, so the server's first rank reports.
 std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, bool ofAllRanks)
 {
   const bool remote = this->IsRenderedRemotely();

@@ -40,8 +40,8 @@ glm::dvec3 Middle(vtkDataArray* points, const rtglyphs::GlyphPlacement& placemen
   return box.IsEmpty() ? glm::dvec3(0.0) : box.Center();
 }
 
-// Normals turn with the inverse transpose, here times the determinant. What is no direction becomes zero, for which
-// the kernels take the triangle's own.
+// Normals transform with the inverse transpose, here times the determinant. What is no direction becomes zero, for
+// which the kernels take the triangle's own.
 std::vector<glm::vec3> Turn(vtkDataArray* array, const rtglyphs::GlyphPlacement& placement)
 {
   const glm::dmat3& m = placement.Linear;
@@ -63,7 +63,7 @@ std::vector<glm::vec3> Turn(vtkDataArray* array, const rtglyphs::GlyphPlacement&
   return normals;
 }
 
-// Polygons as fans: they are triangles, unless something on the way here has cut them.
+// Polygons as fans: they are triangles, unless a filter has cut them.
 void AddTriangles(vtkPolyData* polygons, const rtglyphs::RayTracedRanges& hidden, bool mirrored,
   rtglyphs::RayTracedTriangleBuilder::Result& result)
 {

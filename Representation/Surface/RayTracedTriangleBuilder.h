@@ -1,6 +1,6 @@
 /**
  * @class   RayTracedTriangleBuilder
- * @brief   turns polygons into the triangles that the kernels trace
+ * @brief   builds the triangles that the kernels trace from polygons
  *
  * Normals of the points become those of the triangles' corners, with an actor's transform as vtk does it; normals of
  * zero length, or not finite, leave a triangle its own.

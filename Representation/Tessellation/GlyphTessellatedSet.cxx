@@ -12,7 +12,7 @@
 
 namespace
 {
-// What the screen shows, as the amount of light that exporters' formats mean (IEC 61966-2-1).
+// Linear light of a display color, as the formats have it (IEC 61966-2-1).
 float Linear(float shown)
 {
   return shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
@@ -42,7 +42,7 @@ glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
   return !all.sizes3.empty() ? all.sizes3[glyph] : glm::vec3(all.sizes1.empty() ? all.uniformSize : all.sizes1[glyph]);
 }
 
-// What the screen shows: red, green, blue and opacity.
+// Display color: red, green, blue and opacity.
 glm::vec4 Unpacked(std::uint32_t packed)
 {
   return glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
@@ -91,7 +91,7 @@ public:
     return this->Set.Parts.size() - 1;
   }
 
-  // A copy at `place` in the glyph's frame, turned about its y axis by half a turn if it looks back.
+  // A copy at `place` in the glyph's frame, rotated about its y axis by 180 degrees if it points back.
   void Add(std::size_t part, std::size_t glyph, const glm::vec3& scale, const glm::vec3& place = glm::vec3(0.0f),
     bool back = false)
   {
@@ -113,7 +113,7 @@ public:
         values.emplace_back((of.empty() ? glm::dvec3(0.0) : glm::dvec3(of[glyph])) + more);
       }
     };
-    // What lies beside the glyph's center goes round it.
+    // Parts beside the glyph's center rotate around it.
     const glm::dvec3 around = glm::cross(spin, shift);
     fill(to.Velocities, motion.velocities, around);
     fill(to.Accelerations, motion.accelerations, glm::cross(spin, around));
@@ -356,7 +356,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       if (!assembly.AddSuperquadrics())
       {
         messages.push_back("Superquadrics of more than " + std::to_string(MostMeshes) +
-          " different forms are left out of the exported file, which has a mesh for each form. Show fewer of them with "
+          " different shapes are left out of the exported file, which has a mesh for each. Show fewer of them with "
           "GlyphMode, or round their exponents or tensors.");
       }
       break;

@@ -1,6 +1,6 @@
 /**
- * The glyphs of one display as exporters write them: a few meshes, and for each the places, turns and sizes of its
- * copies.
+ * The glyphs of one display as exporters write them: a few meshes, and for each the positions, rotations and sizes of
+ * its copies.
  */
 #ifndef GlyphTessellatedSet_h
 #define GlyphTessellatedSet_h

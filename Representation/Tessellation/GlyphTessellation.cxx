@@ -105,7 +105,7 @@ double Power(double value, double exponent)
   return std::copysign(std::pow(std::abs(value), exponent), value);
 }
 
-// Cosine and sine of an angle that is i of n parts of a turn, exact in its quarters.
+// Cosine and sine of an angle that is i / n of a revolution, exact at multiples of 90 degrees.
 glm::dvec2 Circle(int i, int n)
 {
   const int quarter = 4 * i / n;

@@ -66,7 +66,7 @@ public:
 private:
   static rtglyphs::GlyphMotion::Settings WithoutTurns(rtglyphs::GlyphMotion::Settings settings)
   {
-    settings.AngularVelocity.clear(); // points do not turn
+    settings.AngularVelocity.clear(); // points do not rotate
     return settings;
   }
 
@@ -324,7 +324,7 @@ private:
     const glm::dvec3 centre = 0.5 * (first + last), way = last - first;
     const double length = glm::length(way);
     const glm::dvec3 axis = way / length;
-    // The shortest turn from x to the axis.
+    // The shortest rotation from x to the axis.
     glm::dquat turn(1.0 + axis.x, 0.0, -axis.z, axis.y);
     turn = axis.x > -1.0 + 1e-12 ? glm::normalize(turn) : glm::dquat(0.0, 0.0, 1.0, 0.0);
     all.centres[i] = glm::vec3(centre);
@@ -371,7 +371,7 @@ private:
       });
   }
 
-  // A piece moves as the mean of its ends, and turns as these go apart across it.
+  // A piece moves as the mean of its ends, and rotates with their difference across it.
   void MovePiece(vtkIdType i, const rtg::GlyphMotion& ofPoints)
   {
     const auto [first, last] = this->Pieces[i].Ends;
@@ -462,7 +462,7 @@ private:
   double Factor = 1.0; // of radii
   double Extent = 0.0; // of places
   std::vector<glm::dvec3> Places;
-  std::vector<vtkIdType> Line; // points of the line at hand; freeEnd: a bad one
+  std::vector<vtkIdType> Line; // points of the current line; freeEnd: a bad one
   std::vector<Piece> Pieces;
   rtglyphs::RayTracedTubeBuilder::Result Out;
 };

@@ -1,6 +1,6 @@
 /**
  * @class   RayTracedTubeBuilder
- * @brief   turns lines and poly-lines into the round cones that the kernels trace
+ * @brief   builds the round cones that the kernels trace from lines and poly-lines
  *
  * Each piece between two points of a line that do not coincide is a round cone (Kernels/Shapes/RoundCone.glsl). A line
  * whose first point is also its last one has no ends. Points nearer to a flat end than their radius are left out, so

@@ -113,7 +113,7 @@ inline void AddArrowsInVessel(LightScene& subject, const std::string& path)
   subject.radius = 8.0f;
 }
 
-/// The tensors of a file of Data/helix.py with more fibres than surroundings, as in Testing/Pictures/tensors.py.
+/// The tensors of a file of Data/helix.py with more fibers than surroundings, as in Testing/Pictures/tensors.py.
 inline void AddTensors(LightScene& subject, const std::string& path)
 {
   std::ifstream in(path, std::ios::binary);

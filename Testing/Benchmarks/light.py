@@ -41,7 +41,7 @@ def over_random(path):
 
 def table(scenes):
     """Markdown of (name, path) of scenes."""
-    lines = ["| scene | light | sampler | a sample's time over random's | " + " | ".join("%d" % n for n in TABLED) + " |", "|---|---|---|---|" + "---|" * len(TABLED)]
+    lines = ["| scene | light | sampler | time of a sample, ratio to random | " + " | ".join("%d" % n for n in TABLED) + " |", "|---|---|---|---|" + "---|" * len(TABLED)]
     for name, path in scenes:
         times = over_random(path)
         for shading, samplers in read(path).items():

@@ -21,7 +21,7 @@ def read(path):
 
 def table(path):
     """Markdown, at 16 samples a pixel."""
-    lines = ["| path (radii) | scheme | build s | trace s | error (1e-4) | after a blur (1e-4) |", "|---|---|---|---|---|---|"]
+    lines = ["| path in radii | scheme | build: s | trace: s | error (1e-4) | after a blur (1e-4) |", "|---|---|---|---|---|---|"]
     lines += ["| %s | %s | %.2f (%.2f, %.2f) | %.1f (%.1f, %.1f) | %.2f | %.3f |" % (
         radii, name + (" (kept)" if name == KEPT else ""), *row[1], *row[2], 1e4 * row[3], 1e4 * row[4])
               for radii, schemes in read(path).items() for name, rows in schemes.items() for row in rows if row[0] == 16]

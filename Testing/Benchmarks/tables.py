@@ -20,7 +20,7 @@ from frames import LOWER, UPPER, quartiles, read_table, spread_columns  # noqa: 
 
 ROOT = os.path.join(HERE, "..", "..")
 RESULTS = os.path.join(HERE, "results")
-BENCHMARKS, SHAPES = "Testing/Benchmarks/README.md", "Kernels/Shapes/README.md"
+BENCHMARKS, DETAILS, SHAPES = "Testing/Benchmarks/README.md", "Testing/Benchmarks/DETAILS.md", "Kernels/Shapes/README.md"
 
 
 def path_of(name):
@@ -66,12 +66,12 @@ def timing(row, key, count):
 
 
 def speed():
-    """Ours and each of ParaView's ways, dilute and packed."""
+    """Ray-traced glyphs and ParaView's own representations, dilute and packed."""
     dilute, packed = rows("speed-dilute"), {row["name"]: row for row in rows("speed-packed")}
 
     def cells(row):
         return [timing(row, "wall", 3), timing(row, "cpu", 3), timing(row, "ratio", 3), "%.0f" % row["megabytes"]] if row else [""] * 4
-    return markdown(["", "dilute: wall s", "CPU s", "over ours", "peak MB", "packed: wall s", "CPU s", "over ours", "peak MB"],
+    return markdown(["", "dilute: wall s", "CPU s", "ratio", "peak MB", "packed: wall s", "CPU s", "ratio", "peak MB"],
                     [[row["name"]] + cells(row) + cells(packed.get(row["name"])) for row in dilute])
 
 
@@ -81,7 +81,7 @@ def shapes():
 
     def cells(row):
         return [timing(row, "wall s", 3), "%.2f" % (1e-6 * row["pixels"] ** 2 / row["wall s"]), timing(row, "CPU over spheres", 3)]
-    return markdown(["shape", "dilute: wall s", "Mray/s", "CPU over spheres", "packed: wall s", "Mray/s", "CPU over spheres"],
+    return markdown(["shape", "dilute: wall s", "Mray/s", "CPU ratio to spheres", "packed: wall s", "Mray/s", "CPU ratio to spheres"],
                     [[row["shape"]] + cells(row) + cells(packed[row["shape"]]) for row in rows("shapes-scene") if row["layout"] == "dilute"])
 
 
@@ -101,13 +101,13 @@ def scenes():
     """Kinds of scenes."""
     def embree(row, key):
         return [timing(row, key, 3), "%.2f" % (row[key] / row["CPU s"])] if row[key] != "" else ["", ""]
-    return markdown(["scene", "CPU s", "over the first", "Embree, single rays: s", "over ours", "Embree, packets: s", "over ours"],
+    return markdown(["scene", "CPU s", "ratio to the first row", "Embree, single rays: s", "ratio", "Embree, packets: s", "ratio"],
                     [[row["scene"], timing(row, "CPU s", 3), timing(row, "cost beside the first", 3)] + embree(row, "Embree s") + embree(row, "Embree packets s")
                      for row in rows("scenes")])
 
 
 def gpu():
-    """Frames a second on a GPU, by how rays find glyphs."""
+    """Frames a second on a GPU, with the plugin's and the driver's BVH."""
     rates = {(name, row["shape"], row["glyphs"], row["light"]): row for name in ("trees", "boxes") for row in rows("gpu-" + name)}
 
     def cell(name, shape, glyphs, light, key, count):
@@ -117,7 +117,7 @@ def gpu():
     kinds = sorted({(shape, glyphs) for _, shape, glyphs, _ in rates}, key=lambda kind: (["spheres", "ellipsoids", "arrows", "superquadrics"].index(kind[0]), kind[1]))
     lights = ("local", "occlusion", "paths")
     return markdown(
-        ["shape", "glyphs"] + ["%s: %s" % (name, light) for name in ("own trees", "driver's structures") for light in lights] + ["rebuild s", "driver's", "bytes a glyph", "driver's"],
+        ["shape", "glyphs"] + ["%s: %s" % (name, light) for name in ("plugin's BVH", "driver's BVH") for light in lights] + ["build: s", "driver's", "bytes a glyph", "driver's"],
         [[shape, "%d" % glyphs] + [cell(name, shape, glyphs, light, "frames per second", 2) for name in ("trees", "boxes") for light in lights]
          + [cell(name, shape, glyphs, "local", "rebuild s", 2) for name in ("trees", "boxes")]
          + [cell(name, shape, glyphs, "local", "bytes per glyph", 2) for name in ("trees", "boxes")] for shape, glyphs in kinds])
@@ -125,7 +125,7 @@ def gpu():
 
 def directions():
     """Glyphs of direction and tubes in large numbers."""
-    return markdown(["", "first picture: s", "made before: s", "frame: wall s", "CPU s", "memory: MB"],
+    return markdown(["", "first picture: s", "making the meshes: s", "frame: wall s", "CPU s", "memory: MB"],
                     [[row["kind"], timing(row, "first", 3), timing(row, "making", 2) if row["making"] else "", timing(row, "frame", 3),
                       timing(row, "frame cpu", 3), "%.0f" % (row["bytes"] / 1e6)] for row in rows("directions")])
 
@@ -135,7 +135,7 @@ def build():
     every, stages = {}, ("boxes s", "order s", "tree s")
     for row in rows("build"):
         every.setdefault(row["shape"], []).append(row)
-    return markdown(["shape", "boxes", "order", "tree", "sum", "one thread"],
+    return markdown(["shape", "bounds", "sort", "BVH", "sum", "one thread"],
                     [[shape] + [timing(cores, stage, 3) for stage in stages] + ["%.3f" % sum(row[stage] for stage in stages) for row in (cores, one)]
                      for shape, (one, cores) in every.items()])
 
@@ -144,7 +144,7 @@ def build_picture():
     """The first picture of ten million spheres, without ParaView."""
     row, = rows("build-picture")
     stages = ("commit s", "sort s", "build s", "upload s", "picture s", "all s")
-    return markdown(["new glyphs", "of that sorting", "building", "sending", "programs and picture", "all", "process at most: MB", "of that data: MB"],
+    return markdown(["commit", "of it sort", "BVH", "upload", "compile and trace", "all", "peak memory: MB", "of it data: MB"],
                     [[timing(row, stage, 3) for stage in stages] + ["%.0f" % row["peak MB"], "%.0f" % row["MB before"]]])
 
 
@@ -158,8 +158,8 @@ def large_data():
 
 
 def scale():
-    """A million glyphs and more, and ParaView's ways."""
-    return markdown(["", "glyphs", "first picture: s", "of it ParaView's ranges", "frame: s", "while turning", "process at most: GB", "data: GB", "device: bytes a glyph"],
+    """A million glyphs and more, and ParaView's own representations."""
+    return markdown(["", "glyphs", "first picture: s", "of it ParaView's array ranges", "frame: s", "while turning", "peak memory: GB", "data: GB", "device: bytes a glyph"],
                     [[row["kind"], "%d million" % (row["count"] / 1e6)] +
                      ([timing(row, key, 3) for key in ("first", "information", "frame", "turning")] +
                       [digits(row["peak bytes"] / 1e9, 3), digits(row["count"] * POINT_BYTES[row["kind"]] / 1e9, 2),
@@ -194,7 +194,7 @@ def ranks():
         return row["mode"] + (", " + row["light"] if row["light"] != "Local" else "") + (", radius %d" % row["radius"] if row["radius"] else "")
     found = rows("ranks")
     alone = {name(row): row["frame"] for row in found if row["ranks"] == 1}
-    return markdown(["", "ranks", "glyphs from others", "MB", "bytes each", "device, all ranks: MB", "first picture: s", "frame: s", "over one rank"],
+    return markdown(["", "ranks", "glyphs received", "MB", "bytes a glyph", "device, all ranks: MB", "first picture: s", "frame: s", "speedup"],
                     [[name(row), "%d" % row["ranks"], "%d" % row["from others"], "%.2f" % (row["bytes from others"] / 1e6),
                       "%.1f" % (row["bytes from others"] / row["from others"]) if row["from others"] else "", "%.0f" % (row["device bytes"] / 1e6),
                       timing(row, "first picture", 3), timing(row, "frame", 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
@@ -206,7 +206,7 @@ def steps():
 
     cells = [timing(spread_columns(stage, quartiles([1000.0 * row[stage] for row in found])), stage, 3)
              for stage in ("pipeline", "sort", "build", "upload", "trace", "other", "total")]
-    return markdown(["ParaView's pipeline: ms", "order", "tree", "sending", "tracing", "rest", "all"], [cells])
+    return markdown(["ParaView's pipeline: ms", "sort", "BVH", "upload", "trace", "other", "total"], [cells])
 
 
 def light_cost():
@@ -220,13 +220,13 @@ def light_cost():
 
 def light_variance():
     """What of a sample's variance which choice decides."""
-    return markdown(["scene", "light", "place in the pixel alone", "directions alone", "only both together"],
+    return markdown(["scene", "light", "position in the pixel", "directions", "both together"],
                     [[row["scene"], row["light"]] + ["%.2f" % row[part] for part in ("place", "directions", "both")] for row in rows("light-variance")])
 
 
 def motion_cost():
     """A sample of moving glyphs over one of the same at rest."""
-    return markdown(["path (radii)", "over rest", "slices", "build s"],
+    return markdown(["path in radii", "ratio to rest", "time segments", "build: s"],
                     [["%g" % row["radii"], timing(row, "over_rest", 3), "%d" % row["slices"], timing(row, "build_cpu_seconds", 2)]
                      for row in rows("motion-cost")])
 
@@ -295,25 +295,25 @@ def superquadric_solvers():
 #: name -> (document, CSV files, function that gives the table)
 TABLES = {
     "speed": (BENCHMARKS, ["speed-dilute", "speed-packed"], speed),
-    "shapes": (BENCHMARKS, ["shapes-scene"], shapes),
+    "shapes": (DETAILS, ["shapes-scene"], shapes),
     "tessellations": (BENCHMARKS, ["tessellations"], lambda: tessellations("tessellations")),
-    "tessellations-harmonics": (BENCHMARKS, ["tessellations-harmonics"], lambda: tessellations("tessellations-harmonics")),
-    "scenes": (BENCHMARKS, ["scenes"], scenes),
+    "tessellations-harmonics": (DETAILS, ["tessellations-harmonics"], lambda: tessellations("tessellations-harmonics")),
+    "scenes": (DETAILS, ["scenes"], scenes),
     "gpu": (BENCHMARKS, ["gpu-trees", "gpu-boxes"], gpu),
-    "directions": (BENCHMARKS, ["directions"], directions),
-    "build": (BENCHMARKS, ["build"], build),
-    "build-picture": (BENCHMARKS, ["build-picture"], build_picture),
+    "directions": (DETAILS, ["directions"], directions),
+    "build": (DETAILS, ["build"], build),
+    "build-picture": (DETAILS, ["build-picture"], build_picture),
     "scale": (BENCHMARKS, ["scale"], scale),
-    "slopes": (BENCHMARKS, ["scale"], slopes),
-    "ranks": (BENCHMARKS, ["ranks"], ranks),
-    "large-data": (BENCHMARKS, ["large-data"], large_data),
-    "light": (BENCHMARKS, ["light-spheres", "light-vessel", "light-tensors"],
+    "slopes": (DETAILS, ["scale"], slopes),
+    "ranks": (DETAILS, ["ranks"], ranks),
+    "large-data": (DETAILS, ["large-data"], large_data),
+    "light": (DETAILS, ["light-spheres", "light-vessel", "light-tensors"],
               lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
     "light-cost": (BENCHMARKS, ["light-cost"], light_cost),
-    "light-variance": (BENCHMARKS, ["light-variance"], light_variance),
+    "light-variance": (DETAILS, ["light-variance"], light_variance),
     "motion-cost": (BENCHMARKS, ["motion-cost"], motion_cost),
-    "steps": (BENCHMARKS, ["steps"], steps),
-    "motion": (BENCHMARKS, ["motion"], lambda: motion.table(path_of("motion"))),
+    "steps": (DETAILS, ["steps"], steps),
+    "motion": (DETAILS, ["motion"], lambda: motion.table(path_of("motion"))),
     "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
     "hard-cases": (SHAPES, ["shape-errors"], hard_cases),
     "superquadric-errors": (SHAPES, ["superquadric-errors"], superquadric_errors),

@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2] / "Representation"
-FOLDERS = re.findall(r"^\| (\w+) \|", (ROOT / "README.md").read_text(encoding="utf-8").split("REQUEST_UPDATE")[0], re.M)[1:]
+FOLDERS = re.findall(r"^\| (\w+) \|", (ROOT / "README.md").read_text(encoding="utf-8").split("## Folders")[1].split("##")[0], re.M)[1:]
 SOURCES = [source for source in sorted(ROOT.glob("*/*")) if source.suffix in (".h", ".cxx")]
 PLACE = {source.name: FOLDERS.index(source.parent.name) for source in SOURCES}
 FAILURES = ["%s/%s includes %s of %s" % (source.parent.name, source.name, header, FOLDERS[PLACE[header]])

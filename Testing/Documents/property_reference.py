@@ -1,7 +1,8 @@
-"""The property reference in Representation/README.md, from the documentation that the panel's tool tips and the help page show.
+"""Writes Representation/PROPERTIES.md from the XML that the panel's tool tips and the plugin's help page show.
 
 Usage: python3 property_reference.py [--check]
-Without --check the table between the markers is written anew; with it the program only says whether it is up to date.
+Without --check the program writes the file. With it the program fails where the file differs from the XML, or where a
+property has more than three sentences.
 """
 import difflib
 import os
@@ -11,8 +12,13 @@ import xml.etree.ElementTree
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 FOLDER = os.path.join(ROOT, "Representation", "ServerManager")
-DOCUMENT = os.path.join(ROOT, "Representation", "README.md")
-BEGIN, END = "<!-- properties: written by Testing/Documents/property_reference.py -->", "<!-- end of properties -->"
+DOCUMENT = os.path.join(ROOT, "Representation", "PROPERTIES.md")
+SENTENCES = 3
+HEAD = """<!-- Written by Testing/Documents/property_reference.py from the XML in ServerManager. -->
+# Properties
+
+Ray Traced Glyphs, Ray Traced Surface and Ray Traced Tubes have all properties of ParaView's Surface, with the same values, and those below.
+The panel shows the same texts as tool tips; the toolbar's button *?* opens them as a page. [README.md](README.md) has the shapes, formulas and orders of components."""
 
 
 def definitions(name):
@@ -107,28 +113,33 @@ def sections():
 
 
 def table():
-    """The whole reference."""
-    lines = []
+    """The whole file."""
+    lines = [HEAD]
     for title, entries in sections():
-        lines.extend(["", "#### " + title, "", "| property | values | default | meaning |", "|---|---|---|---|"])
+        lines.extend(["", "## " + title, "", "| property | values | default | meaning |", "|---|---|---|---|"])
         lines.extend(row(name, entry) for name, entry in entries)
-    return "\n".join([BEGIN] + lines + ["", END])
+    return "\n".join(lines) + "\n"
+
+
+def too_long():
+    """Properties whose texts have more than three sentences."""
+    return [name for _, entries in sections() for name, entry in entries if len(re.split(r"(?<=[.!?]) (?=[A-Z])", words(entry))) > SENTENCES]
 
 
 def main():
     """Writes or checks."""
+    new = table()
+    if "--check" not in sys.argv[1:]:
+        with open(DOCUMENT, "w", encoding="utf-8") as stream:
+            stream.write(new)
+        return
     with open(DOCUMENT, encoding="utf-8") as stream:
         old = stream.read()
-    if BEGIN not in old or END not in old:
-        raise SystemExit("property_reference.py: %s has lost its markers" % DOCUMENT)
-    new = old[:old.index(BEGIN)] + table() + old[old.index(END) + len(END):]
-    if "--check" in sys.argv[1:]:
-        sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), "README.md", "as the XML has it"))
-        if new != old:
-            raise SystemExit("Representation/README.md differs from the XML; run Testing/Documents/property_reference.py")
-        return
-    with open(DOCUMENT, "w", encoding="utf-8") as stream:
-        stream.write(new)
+    sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), "PROPERTIES.md", "as the XML has it"))
+    if new != old:
+        raise SystemExit("Representation/PROPERTIES.md differs from the XML; run Testing/Documents/property_reference.py")
+    if too_long():
+        raise SystemExit("more than %d sentences: %s" % (SENTENCES, ", ".join(too_long())))
 
 
 if __name__ == "__main__":

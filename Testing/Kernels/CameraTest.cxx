@@ -1,4 +1,4 @@
-// Camera::FromWorldToClip must give the rays that the matrix's rasterisation sees.
+// Camera::FromWorldToClip must give the rays that the matrix's rasterization sees.
 #include "Camera.h"
 #include "Glyphs.h"
 

@@ -141,7 +141,7 @@ TEST(GlyphTree, OrdersChildrenAlongTheSplits)
   for (std::size_t i = 1; i < tree.nodes.size(); ++i)
   {
     const GlyphTreeNode& node = tree.nodes[i];
-    // The first split parts the lower four from the upper four; the planes may touch, and quantising moves them by a
+    // The first split parts the lower four from the upper four; the planes may touch, and quantizing moves them by a
     // step.
     const int axis = node.axes & 3;
     int lowerHalf = 0, upperHalf = 255;

@@ -10,7 +10,7 @@ namespace rtg::testing
 /// true whatever the distance.
 inline void HardCaseMaker::Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance)
 {
-  // Lengths other than one happen: instance transforms, unnormalised cameras.
+  // Lengths other than one happen: instance transforms, unnormalized cameras.
   const double lengths[] = { 1.0, 1.0, 1.0 / 64, 40.0 };
   const glm::vec3 along(direction * lengths[this->Choice(4)]);
   const Vec exact = glm::normalize(Rounded<float>(Vec(along)));

@@ -284,7 +284,7 @@ private:
 
   bool IsFixedArrow() const { return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads; }
 
-  /// The unit form's box: (0 .. 1) along x for arrows, else centred.
+  /// The unit form's box: (0 .. 1) along x for arrows, else centerd.
   Vec ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const;
   Vec RandomBoxPoint();
   Vec EdgePoint(const HardCase& hard, std::uint32_t index);

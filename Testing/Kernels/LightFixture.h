@@ -1,4 +1,4 @@
-// A white or coloured scene, its light and a parallel view, for tests of ambient occlusion and path tracing through the
+// A white or colored scene, its light and a parallel view, for tests of ambient occlusion and path tracing through the
 // pipeline.
 //
 // Confidence: a mean of n samples that each lie in [0, 1] with variance v is off by more than z sqrt(v / n) with
@@ -90,7 +90,7 @@ protected:
     return this->tracer.Trace(this->scene, this->camera, this->lights, this->settings, pass);
   }
 
-  // Straight colour of each pixel that some sample hit.
+  // Straight color of each pixel that some sample hit.
   std::vector<glm::vec3> Radiances() const
   {
     std::vector<glm::vec3> radiances;

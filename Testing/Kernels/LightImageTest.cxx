@@ -109,7 +109,7 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
     this->settings.samples = 512;
     this->Trace();
     const std::vector<glm::vec4> truth = this->tracer.Means();
-    // Display colours of the truth and of few samples, with noise and without.
+    // Display colors of the truth and of few samples, with noise and without.
     const auto error = [&](const Image& image)
     {
       double sum = 0.0;

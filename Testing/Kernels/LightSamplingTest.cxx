@@ -75,7 +75,7 @@ TEST_F(LightTest, SeveralPathsASample)
 }
 
 // A thing that covers a quarter of each pixel is hit by exactly a quarter of the samples: their places are a net,
-// although the first of them is the pixel's centre.
+// although the first of them is the pixel's center.
 TEST_F(LightTest, PlacesInAPixelAreANet)
 {
   std::vector<glm::vec3> centres;
@@ -95,7 +95,7 @@ TEST_F(LightTest, PlacesInAPixelAreANet)
     {
       ASSERT_EQ(mean.a, 0.25f) << samples;
     }
-    // That of the nearest sample, none of which is the centre.
+    // That of the nearest sample, none of which is the center.
     EXPECT_LT(image.depth[0], 1.0f);
   }
 }
@@ -282,7 +282,7 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   {
     instances.exponents3.clear();
   }
-  // A set that is not shown, but whose origin is the scene's: centres are not relative to that.
+  // A set that is not shown, but whose origin is the scene's: centers are not relative to that.
   rtg::GlyphInstances away;
   away.origin = { 0.7, -0.4, 0.2 };
   away.centres = { glm::vec3(0.0f) };

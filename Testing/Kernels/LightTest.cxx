@@ -290,7 +290,7 @@ TEST_F(LightTest, OcclusionOfParallelPlanes)
   this->Trace();
   EXPECT_EQ(this->PixelMean(0, 0).r, 1.0f);
 
-  // The light's colour and strength multiply what is left.
+  // The light's color and strength multiply what is left.
   this->settings.environmentColour = { 1.0f, 0.5f, 0.0f };
   this->settings.lightIntensity = 0.5f;
   this->settings.samples = 4;

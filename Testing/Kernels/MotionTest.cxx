@@ -300,7 +300,7 @@ TEST_P(MotionTest, StreaksAreEvenForAnyNumberOfSamples)
 
 TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
 {
-  // Whatever else colours mean: thin parts of a streak are more transparent, not darker nor mixed with anything.
+  // Whatever else colors mean: thin parts of a streak are more transparent, not darker nor mixed with anything.
   rtg::GlyphInstances instances;
   instances.centres = { { 0.0f, 0.5f, 0.0f }, { 0.0f, -0.5f, 0.0f } };
   instances.uniformSize = 0.4f;

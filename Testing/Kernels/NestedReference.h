@@ -21,7 +21,7 @@ public:
 
   NestedReference(double alpha, double beta, double c);
 
-  /// All crossings of the line o + s d, in the frame of the half-lengths; o is near the centre. `precise`: to 113
+  /// All crossings of the line o + s d, in the frame of the half-lengths; o is near the center. `precise`: to 113
   /// bits, else to 64 and without gradients.
   std::vector<Crossing> Crossings(const Quad o[3], const Quad d[3], bool precise) const;
 

@@ -43,7 +43,7 @@ public:
 
   /// All crossings of the whole line, in order; those that coincide are one.
   /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
-  /// glyphs scale about their centre; an arrow's radii scale and its ends move outwards by the same as
+  /// glyphs scale about their center; an arrow's radii scale and its ends move outwards by the same as
   /// its largest radius, so that a long thin arrow's head stays where it is.
   std::vector<ReferenceCrossing> Crossings(const glm::dvec3& origin, const glm::vec3& direction, double factor = 1.0);
 

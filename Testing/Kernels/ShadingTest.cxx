@@ -102,7 +102,7 @@ TEST(Sobol, AllPairsAreNetsInBaseSixteen)
 
 TEST(Sobol, SeedsGiveIndependentNumbers)
 {
-  // Over many seeds each number is uniform, and two dimensions and neighbours in the sequence are uncorrelated.
+  // Over many seeds each number is uniform, and two dimensions and neighbors in the sequence are uncorrelated.
   constexpr int count = 20000;
   double mean = 0.0, cross = 0.0;
   for (int i = 0; i < count; ++i)
@@ -288,7 +288,7 @@ TEST(Principled, HasThePapersValues)
       const double diffuse =
         (1.0 + (fd90 - 1.0) * std::pow(1.0 - l.z, 5)) * (1.0 + (fd90 - 1.0) * std::pow(1.0 - v.z, 5));
       EXPECT_NEAR(DiffuseShape(vec3(v), vec3(l), float(roughness)), diffuse, 1e-5 * diffuse);
-      // Metal's colour at a facet.
+      // Metal's color at a facet.
       const vec3 gold(1.0f, 0.7f, 0.3f);
       const vec3 seen = rtg::shading::MetalFresnel(gold, float(glm::dot(l, h)));
       EXPECT_NEAR(seen.b, 0.3 + 0.7 * fifth, 1e-5);

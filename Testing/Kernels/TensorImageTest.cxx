@@ -58,7 +58,7 @@ struct Subject
   }
 
   /// How far a point of another glyph's surface is from this one's at most: the least of the ways along the line
-  /// through the centre, along `direction`, and to the point of this surface that lies in its frame as the other does
+  /// through the center, along `direction`, and to the point of this surface that lies in its frame as the other does
   /// in that of `other`. A knife's edge that has turned a little is far along any fixed line.
   double Distance(const glm::dvec3& point, const glm::dvec3& direction, const Subject& other) const
   {
@@ -79,7 +79,7 @@ struct Subject
   }
 
 private:
-  /// The surface's point in the direction of `point` from the centre.
+  /// The surface's point in the direction of `point` from the center.
   glm::dvec3 Towards(const glm::dvec3& point) const
   {
     const glm::dvec3 direction = glm::normalize(point);

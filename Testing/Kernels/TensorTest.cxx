@@ -327,7 +327,7 @@ TEST(TensorTest, CornersOfTheZonesAreTeems)
   }
 }
 
-/// Teem's own exponents (tenGlyphBqdAbcUv), when its table is there: u fastest, cell-centred, two values of the
+/// Teem's own exponents (tenGlyphBqdAbcUv), when its table is there: u fastest, cell-centerd, two values of the
 /// concave corners' beta.
 TEST(TensorTest, TeemsTable)
 {
@@ -364,7 +364,7 @@ TEST(TensorTest, TeemsTable)
 // Continuity. A glyph's support in a direction n is a norm of its local components; here that of its box and
 // its exponents are enough: the glyph as a set of points depends on nothing else.
 
-/// Largest change of the distance from the glyph's centre to its surface over directions, from a to b: radial, so
+/// Largest change of the distance from the glyph's center to its surface over directions, from a to b: radial, so
 /// that it compares sets of points and not their coordinates.
 double RadialChange(const TensorGlyph& a, const TensorGlyph& b, const std::vector<glm::dvec3>& directions)
 {

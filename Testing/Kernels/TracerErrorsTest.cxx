@@ -159,11 +159,11 @@ TEST_F(TracerTest, WhatIsTooLargeForTheDeviceIsNamed)
   if (this->device->IsCpu())
   {
     this->settings.width = this->settings.height = 32768;
-    EXPECT_NE(message().find("16384 MiB are to lie in one piece"), std::string::npos) << message();
+    EXPECT_NE(message().find("16384 MiB are needed in one buffer"), std::string::npos) << message();
   }
   this->settings.width = this->settings.height = 1000;
   vulkan.mostOfBuffer = std::size_t(5) << 20;
-  EXPECT_NE(message().find("15 MiB are to lie in one piece, of which '" + this->device->Name() + "' allows 5 MiB"),
+  EXPECT_NE(message().find("15 MiB are needed in one buffer, of which '" + this->device->Name() + "' allows 5 MiB"),
     std::string::npos)
     << message();
   vulkan.mostOfBuffer = most;

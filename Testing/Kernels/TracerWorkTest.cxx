@@ -49,7 +49,7 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().colourUploads, 1u);
   EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, pipelineBuilds);
 
-  // Colours changed: colours only.
+  // Colors changed: colors only.
   this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff8080ffu));
   this->Trace();
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);

@@ -324,7 +324,7 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
   this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-0.7, 0.7, -0.7, 0.7, 1.0, 100.0) *
     glm::lookAt(glm::dvec3(0, 0, 50), glm::dvec3(0), glm::dvec3(0, 1, 0)));
 
-  // The balls that the ray through a pixel's centre meets, or -1 where it grazes one.
+  // The balls that the ray through a pixel's center meets, or -1 where it grazes one.
   std::vector<int> met(60 * 60, 0);
   for (std::size_t at = 0; at < met.size(); ++at)
   {

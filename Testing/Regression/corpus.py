@@ -299,7 +299,7 @@ ROWS = (
                                                    "Velocity": swirl(NODES)}), {DIRECTION: "Velocity"}, "Velocity", 120),
     Row("CalculiX, ccx2paraview", lambda: vtu("calculix.vtu", SIDES, 1.0, {
         "U": 1e-3 * swirl(NODES), "S": (stresses(NODES), ("xx", "yy", "zz", "xy", "yz", "zx")), "ERROR": NODES[:, 0]}),
-        {TENSOR: "S"}, "Sign", 120, ("Form by S: the names of its components", ), GlyphShape="Signed Tensor Superquadric"),
+        {TENSOR: "S"}, "Sign", 120, ("Shape by S: the names of its components", ), GlyphShape="Signed Tensor Superquadric"),
     Row("Code_Aster, MED", lambda: vtu("aster.vtu", SIDES, 1.0, {
         "RESU____DEPL": (1e-3 * swirl(NODES), ("DX", "DY", "DZ")),
         "RESU____SIEF_NOEU": (stresses(NODES)[:, [0, 1, 2, 3, 5, 4]], ("SIXX", "SIYY", "SIZZ", "SIXY", "SIXZ", "SIYZ"))}),
@@ -321,7 +321,7 @@ ROWS = (
     Row("MRtrix, ODF", lambda: vti("odf.vti", (5, 4, 1), odf=RANDOM.normal(size=(20, 15)) * 0.05 + numpy.eye(15)[0] * 0.28),
         {"GlyphHarmonicsArray": "odf"}, "Axes", 20, ("Form by odf", ), GlyphShape="Spherical Harmonics"),
     Row("diffusion tensors, VTK", lambda: vti("dti.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]], b0=numpy.ones(60)),
-        {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("Form by DTI: its name", ), GlyphShape="Tensor Superquadric"),
+        {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("Shape by DTI: its name", ), GlyphShape="Tensor Superquadric"),
     Row("diffusion tensors with noise", lambda: vti("noisy.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]
                                                     - numpy.where(numpy.arange(60) % 20 == 0, 5e-4, 0.0)[:, None] * numpy.eye(3).reshape(-1)),
         {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("5 % of the tensors have a negative eigenvalue, drawn as a positive one; their fractional "

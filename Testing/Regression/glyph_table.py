@@ -113,7 +113,7 @@ def main():
     shown = ours(bad, view, partly)
     shown.Orient = 0
     told = session.messages(lambda: session.capture(view, "GlyphTable-bad"))
-    for words in ("1 of 3 points have no glyph: the number of their form, from the point array 'form', is not finite",
+    for words in ("1 of 3 points have no glyph: the index of their mesh, from the point array 'form', is not finite",
                   "Entry 1 of GlyphType has no polygons"):
         if told.count(words) != 1:
             failures.append("'%s' was said %d times in:\n%s" % (words, told.count(words), told))

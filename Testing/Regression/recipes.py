@@ -100,6 +100,8 @@ WANTED = {
     "utm_coordinates": (lambda c: spheres(c["positions"], c["radii"]), True, 108),
     "halos": (halos, True, 2000),
     "uncertain_radii": (lambda c: spheres(c["positions"], c["means"] + 2.0 * c["deviations"]), True, 48),
+    # Motion blur moves a sphere by some diameters: its middle is seen.
+    "many_particles": (lambda c: spheres(c["positions"], 0.1 * c["radii"]), False, 4000),
 }
 
 
