@@ -90,7 +90,7 @@ struct GlyphSettings : GlyphScaling
   std::string OpacityArray;                      // empty or "None": none
   // What directions color, whatever else would; of tensors and polynomials, whose axes have no sign, at most AXES.
   RayTracedChoice<DirectionColors::Kinds, DirectionColors::NONE, DirectionColors::SPHERE> DirectionColoring;
-  GlyphMotion::Settings Motion;                  // on: the glyphs move while the shutter is open
+  GlyphMotion::Settings Motion; // on: the glyphs move while the shutter is open
   int TrailSteps = 0; // > 0: of the glyphs, the trails over so many earlier steps (GlyphTrails), or bounds with these
   bool TrailJoined = false; // inside them there is no surface, as translucent ones show
 

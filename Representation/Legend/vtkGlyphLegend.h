@@ -3,9 +3,9 @@
  * @brief   a glyph of a stated number in the corner of a view, from which sizes can be read
  *
  * The glyph is the silhouette of an upright one whose every scale, or eigenvalue, is the number that stands beside it.
- * It is as large as it would be at the center of rotation, with parallel projection as everywhere. Unless a number is set it is the largest of 1, 2, 5 times
- * a power of ten whose glyph is at most a fifth of the view's shorter side, that no limit of sizes changes and that the
- * data reach; so it follows the zoom as the bar of a map's scale does.
+ * It is as large as it would be at the center of rotation, with parallel projection as everywhere. Unless a number is
+ * set it is the largest of 1, 2, 5 times a power of ten whose glyph is at most a fifth of the view's shorter side, that
+ * no limit of sizes changes and that the data reach; so it follows the zoom as the bar of a map's scale does.
  */
 #ifndef vtkGlyphLegend_h
 #define vtkGlyphLegend_h
