@@ -279,7 +279,7 @@ void CheckImages(const PeriodicImages& images)
   }
   if (count > most)
   {
-    Fail(std::to_string(count) + "periodic images exceed the limit; a set can have " + std::to_string(most) +
+    Fail(std::to_string(count) + " periodic images exceed the limit; a set can have " + std::to_string(most) +
       " with those that only shade others.");
   }
 }

@@ -178,7 +178,7 @@ void pqRayTracedGlyphsToolBar::TellTime(const pqRayTracedGlyphsRefinement::Image
         times += tr("%1 takes about %2").arg(one->text(), pqRayTracedGlyphsWords::ForTime(its));
       }
     }
-    window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps what is there."), 10000);
+    window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps the samples so far."), 10000);
   }
   this->Untold = nullptr;
 }

@@ -33,7 +33,7 @@ def Statistics(view=None):
 def SetSamplesPerRender(samples, view=None):
     """Each render adds so many samples per pixel until there are SamplesPerPixel, for scripts that watch an image refine.
 
-    0: all at once, which is the default; -1: what fits into some hundredths of a second, as in ParaView's window.
+    0 (default): all at once; -1: as many as take some hundredths of a second, as in ParaView's window.
     """
     display = _AnyDisplay(view).SMProxy
     display.GetProperty("SamplesPerRender").SetElement(0, samples)

@@ -17,7 +17,7 @@ from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 import session
 from checks import Checks
 
-FILES = ["CHANGES.md", "LICENSE", "README.md", "RayTracedGlyphs.so", "raytracedglyphs.xml"]
+FILES = ["CHANGES.md", "LICENSE", "LIMITS.md", "README.md", "RayTracedGlyphs.so", "raytracedglyphs.xml"]
 
 
 def draw(prefix):
