@@ -35,10 +35,10 @@ struct Camera
 
   bool operator==(const Camera&) const = default;
 
-  /// Whether nothing but rounding tells it from another one.
+  /// Whether it differs from another one by rounding only.
   bool IsNear(const Camera& other) const;
 
-  /// The rays that rasterisation with this matrix (OpenGL clip space, column vectors, world to clip) sees.
+  /// The rays that rasterization with this matrix (OpenGL clip space, column vectors, world to clip) sees.
   /// Handles off-axis frusta (stereo, tiles). Throws rtg::Error when the matrix is singular or not finite.
   static Camera FromWorldToClip(const glm::dmat4& worldToClip);
 };

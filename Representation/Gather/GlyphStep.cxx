@@ -168,8 +168,8 @@ std::array<double, 3> rtglyphs::GlyphStep::LongestWays(const Pairs& pairs)
 std::string rtglyphs::GlyphStep::IdsNeeded(const std::string& property, const std::string& consequence)
 {
   return property +
-    " needs to know which point is which, and the points have neither global ids nor the array that PointIdArray "
-    "names, of one component; so " +
+    " must identify points, and the points have neither global ids nor the array that PointIdArray names, of one "
+    "component; so " +
     consequence +
     ". Choose a PointIdArray; where points never change their order, the filter Point And Cell Ids makes one.";
 }

@@ -40,7 +40,7 @@ public:
   GlyphStep() = default;
 
   /**
-   * Of a RayTracedTree. `idArray`: the point array of one component that tells which point is which; "None" or empty:
+   * Of a RayTracedTree. `idArray`: the point array of one component that identifies points; "None" or empty:
    * the global ids.
    */
   GlyphStep(vtkDataObject* tree, const std::string& idArray);

@@ -174,7 +174,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
     this->Digest = digest;
     this->InstanceVersion = NewVersion();
   }
-  // Axes and trails go with glyphs, which have told what is wrong with the points.
+  // Axes and trails go with glyphs, which have reported bad points.
   if (!this->Settings.Tensors.Axes && !trails)
   {
     this->ReportInstances(std::move(result.Messages), result.Unfinished);

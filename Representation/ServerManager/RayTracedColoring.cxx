@@ -84,7 +84,7 @@ void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
 }
 
-// What the glyphs follow, else the size, else what speaks most for being shown at all.
+// The glyphs' direction, else the size, else the array with the best score.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);

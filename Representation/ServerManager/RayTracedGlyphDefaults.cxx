@@ -353,7 +353,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   const bool formed = tensors || shape == Shapes::UNCERTAIN_VECTOR;
   if (formed || shape == Shapes::SPHERICAL_HARMONICS)
   {
-    explain("Form", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");
+    explain("Shape", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");
   }
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {

@@ -319,7 +319,7 @@ ROWS = (
     Row("DualSPHysics", lambda: legacy("sph.vtk", 0.01 * grid(8, 6, 5), Idp=numpy.arange(240), Vel=v_of(240), Rhop=numpy.full(240, 1000.0)),
         {DIRECTION: "Vel"}, "Vel", 240),
     Row("MRtrix, ODF", lambda: vti("odf.vti", (5, 4, 1), odf=RANDOM.normal(size=(20, 15)) * 0.05 + numpy.eye(15)[0] * 0.28),
-        {"GlyphHarmonicsArray": "odf"}, "Axes", 20, ("Form by odf", ), GlyphShape="Spherical Harmonics"),
+        {"GlyphHarmonicsArray": "odf"}, "Axes", 20, ("Shape by odf", ), GlyphShape="Spherical Harmonics"),
     Row("diffusion tensors, VTK", lambda: vti("dti.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]], b0=numpy.ones(60)),
         {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("Shape by DTI: its name", ), GlyphShape="Tensor Superquadric"),
     Row("diffusion tensors with noise", lambda: vti("noisy.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]

@@ -154,7 +154,7 @@ def long(checks, window, bar, view, source):
     bar.waits(checks, "a larger view", lambda: bar.samples() == "4 of 4")
     checks.true("tool tip of what is not measured: %s" % window.tip(BAR + "/Publication"), window.tip(BAR + "/Publication").endswith("not measured yet."))
     checks.true("Publication cannot be pressed", window.click(BAR + "/Publication"))
-    told = r"Publication takes about \d+ (s|min|h)\. Stop keeps what is there."
+    told = r"Publication takes about \d+ (s|min|h)\. Stop keeps the samples so far."
     checks.true("nothing tells how long it takes: %s" % window.text("statusbar"), window.wait(lambda: re.search(told, window.text("statusbar")), LIMIT))
     checks.true("tool tip of what is measured: %s" % window.tip(BAR + "/Publication"), re.search(r"about \d+ (s|min|h) here", window.tip(BAR + "/Publication")))
     say("said: %s" % window.text("statusbar"))
