@@ -223,7 +223,7 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   };
   if (this->Settings.HasNumberRange())
   {
-    std::for_each(this->TensorRange, this->TensorRange + 2, add);
+    std::for_each(this->TensorRange.begin(), this->TensorRange.end(), add);
   }
   if (this->Settings.TrailSteps > 0)
   {
