@@ -22,7 +22,7 @@ namespace
 // Milliseconds of a render after which its user is listened to.
 constexpr int quietTime = 300;
 
-// What a user does, and what may render.
+// Events of the user, and renders.
 bool MayInterfere(QEvent* event)
 {
   switch (event->type())

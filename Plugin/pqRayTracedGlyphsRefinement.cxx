@@ -335,7 +335,7 @@ void pqRayTracedGlyphsRefinement::playEnded()
 //****************************************************************************
 
 //----------------------------------------------------------------------------
-// The widget itself is told: while pqProgressManager has progress to show it lets no input through.
+// The event goes to the widget itself: while pqProgressManager has progress to show it lets no input through.
 void pqRayTracedGlyphsRefinement::ShowProgress()
 {
   pqProgressWidget* bar = this->Abort.progressBar();

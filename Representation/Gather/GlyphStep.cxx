@@ -93,7 +93,7 @@ void rtglyphs::GlyphStep::KeepUnique()
   {
     std::sort(entries.begin(), entries.end(), before);
   }
-  // Who is who cannot be told of ids that occur more than once in a block.
+  // Duplicate ids of a block identify no point.
   std::size_t kept = 0;
   const auto endOf = [&](std::size_t first, const auto& key)
   {

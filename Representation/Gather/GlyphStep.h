@@ -64,8 +64,8 @@ public:
 
   /**
    * The longest ways along each axis that are taken for motion: half of the extent where most points move less than a
-   * tenth of it, else infinite. What goes farther has crossed the border of a periodic box, whose length the data do
-   * not tell.
+   * tenth of it, else infinite. What goes farther has crossed the border of a periodic box, whose length is
+   * not among the data.
    */
   static std::array<double, 3> LongestWays(const Pairs& pairs);
 

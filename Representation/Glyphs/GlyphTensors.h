@@ -144,7 +144,7 @@ public:
   static double RadiusOf(double confidence);
 
   /**
-   * What the longest extent of a unit glyph is multiplied with: the largest magnitude of an eigenvalue, of a covariance
+   * Factor of the longest extent of a unit glyph: the largest magnitude of an eigenvalue, of a covariance
    * the ellipsoid's diameter, of axes the axis's length. Zero where it is not finite.
    */
   double Extent(vtkIdType point) const;

@@ -43,7 +43,7 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
     [](const Settings& settings)
     {
-      const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples say by themselves what they are
+      const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples need no mode
       if (settings.Tensors.AtTips)
       {
         return std::vector<int>{ 2, 3 };

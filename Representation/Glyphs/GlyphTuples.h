@@ -108,7 +108,7 @@ std::string Problem(const std::string& name, vtkDataArray* array, bool fits, con
   const std::string& property, const std::string& counts);
 
 /**
- * Says which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
+ * Reports which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
  */
 void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
   std::vector<std::string>& messages);

@@ -20,7 +20,7 @@
 
 namespace
 {
-// How far ParaView's orientation axes reach up from the view's lower edge between two of its columns; all in parts of
+// Extent of ParaView's orientation axes up from the view's lower edge between two of its columns; all in parts of
 // the view. 0: none are there.
 double TopOfAxes(vtkRenderer* renderer, double left, double right)
 {
