@@ -167,8 +167,8 @@ const Image* ProgressiveImage::Update(
       this->Smooth(request);
       this->ExpectOtherLight(request);
     }
-    const bool smoothed = effort.denoising != Denoising::Always || !this->features_ || effort.preview ||
-      this->smoothSamples_ == this->samples_;
+    const bool smoothed = effort.denoising != Denoising::Always || !request.Denoises() || !this->features_ ||
+      effort.preview || this->smoothSamples_ == this->samples_;
     this->state_ = this->samples_ >= effort.samples && smoothed ? State::Finished : State::Growing;
     this->lostDevice_ = false;
     return &this->image_;
@@ -264,10 +264,7 @@ void ProgressiveImage::Preview(const Request& request)
   const auto left = [&] { return request.start + seconds - request.source.Now(); };
   // To begin again costs more than a little more time.
   const Interrupt patient = [&](double)
-  {
-    return (request.IsTimed() && left() <= -seconds) ||
-      (request.interrupt && request.interrupt(0.0));
-  };
+  { return (request.IsTimed() && left() <= -seconds) || (request.interrupt && request.interrupt(0.0)); };
   const bool known = this->secondsPerPreviewRay_ > 0.0 || !request.IsTimed();
   std::uint32_t step = affordable(seconds);
   step = known ? step : std::max(step, firstPreviewStep);
