@@ -197,8 +197,8 @@ const Image* ProgressiveImage::Update(
       this->Smooth(request);
       this->ExpectOtherLight(request);
     }
-    const bool smoothed = effort.denoising != Denoising::Always || !this->features_ || effort.preview ||
-      this->smoothSamples_ == this->samples_;
+    const bool smoothed = effort.denoising != Denoising::Always || !request.Denoises() || !this->features_ ||
+      effort.preview || this->smoothSamples_ == this->samples_;
     this->state_ = this->samples_ >= effort.samples && smoothed ? State::Finished : State::Growing;
     this->lostDevice_ = false;
     return &this->image_;

@@ -700,6 +700,10 @@ TEST_F(ProgressiveImageTest, LocalLightHasNoNoiseToTakeAway)
   this->Finish(effort);
   EXPECT_EQ(this->source.denoisings, 0);
   EXPECT_FALSE(this->source.last.features);
+  effort.features = true; // as scripts ask for, which wait for the end
+  this->Update(effort);
+  this->Update(effort);
+  EXPECT_EQ(this->image.GetState(), State::Finished);
 }
 
 TEST_F(ProgressiveImageTest, FeaturesOfAFinishedImageAreTracedWhereTheyLack)
