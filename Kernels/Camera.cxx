@@ -84,4 +84,20 @@ Camera Camera::FromWorldToClip(const glm::dmat4& worldToClip)
   return camera;
 }
 
+// A matrix whose entries are rounded otherwise moves points by some units in the last place of their coordinates, and
+// directions by as much seen from the near plane.
+bool Camera::IsNear(const Camera& other) const
+{
+  constexpr double rounding = 1e-14;
+  const double place = rounding * (glm::length(this->eye) + this->farDepth);
+  const double direction = rounding + (this->parallel ? place / this->farDepth : place / this->nearDepth);
+  return this->parallel == other.parallel && glm::distance(this->eye, other.eye) <= place &&
+    glm::distance(this->position, other.position) <= place && glm::distance(this->eyeRight, other.eyeRight) <= place &&
+    glm::distance(this->eyeUp, other.eyeUp) <= place && glm::distance(this->forward, other.forward) <= direction &&
+    glm::distance(this->right, other.right) <= direction && glm::distance(this->up, other.up) <= direction &&
+    std::abs(this->nearDepth - other.nearDepth) <= place && std::abs(this->farDepth - other.farDepth) <= place &&
+    this->lensRadius == other.lensRadius && std::abs(this->focusDepth - other.focusDepth) <= place &&
+    std::abs(this->lensDepth - other.lensDepth) <= place;
+}
+
 } // namespace rtg

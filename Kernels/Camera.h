@@ -35,6 +35,9 @@ struct Camera
 
   bool operator==(const Camera&) const = default;
 
+  /// Whether nothing but rounding tells it from another one.
+  bool IsNear(const Camera& other) const;
+
   /// The rays that rasterisation with this matrix (OpenGL clip space, column vectors, world to clip) sees.
   /// Handles off-axis frusta (stereo, tiles). Throws rtg::Error when the matrix is singular or not finite.
   static Camera FromWorldToClip(const glm::dmat4& worldToClip);

@@ -28,6 +28,36 @@ bool IsNoisy(const ImageView& view)
 
 } // namespace
 
+ImageView Settled(ImageView view, const ImageView& kept)
+{
+  if (!view.camera.IsNear(kept.camera))
+  {
+    return view;
+  }
+  constexpr float rounding = 1e-6f; // of a direction
+  const auto settle = [](std::vector<Light>& lights, const std::vector<Light>& as)
+  {
+    for (std::size_t i = 0; i < std::min(lights.size(), as.size()); ++i)
+    {
+      const double place = 1e-13 * glm::length(as[i].position);
+      if (glm::distance(lights[i].position, as[i].position) <= place &&
+        glm::distance(lights[i].direction, as[i].direction) <= rounding)
+      {
+        lights[i].position = as[i].position;
+        lights[i].direction = as[i].direction;
+      }
+    }
+  };
+  view.camera = kept.camera;
+  settle(view.lights, kept.lights);
+  settle(view.previewLights, kept.previewLights);
+  if (glm::distance(view.settings.skySlope, kept.settings.skySlope) <= rounding)
+  {
+    view.settings.skySlope = kept.settings.skySlope;
+  }
+  return view;
+}
+
 bool Denoises(const ImageView& view, const ImageEffort& effort)
 {
   const bool grows = !effort.exact || effort.seconds > 0.0 || effort.samplesAtOnce > 0;

@@ -67,6 +67,7 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
   place.Eye = renderer->GetActiveCamera()->GetLeftEye();
   window->GetTileViewport(place.Tile.data());
   rtglyphs::RayTracedImages::Entry& entry = this->Images.Get(place);
+  view = rtg::Settled(std::move(view), entry.Image.View());
   const auto drawn = std::find_if(this->All.begin(), this->All.end(), [&](const auto& d) { return d.Place == place; });
   if (drawn != this->All.end() && entry.Image.View() == view)
   {

@@ -473,6 +473,31 @@ TEST_F(ProgressiveImageTest, PreviewsThatAreCompiledHoldNothingUp)
   EXPECT_EQ(this->source.previews, 0);
 }
 
+// What rounding alone moves is no other view; the least that can be seen is.
+TEST_F(ProgressiveImageTest, RoundingOfTheCameraBeginsNothingAgain)
+{
+  this->view.lights.resize(1);
+  this->view.lights[0].position = glm::dvec3(3.0, 4.0, 5.0);
+  const ImageView kept = this->view;
+  this->view.camera.eye.z = std::nextafter(kept.camera.eye.z, 2.0);
+  this->view.camera.farDepth = std::nextafter(kept.camera.farDepth, 0.0);
+  this->view.camera.right.x = std::nextafter(kept.camera.right.x, 2.0);
+  this->view.lights[0].position.y = std::nextafter(4.0, 5.0);
+  this->view.lights[0].direction.x = 1e-8f;
+  this->view.settings.skySlope.x = std::nextafter(kept.settings.skySlope.x, 1.0f);
+  EXPECT_FALSE(this->view == kept);
+  EXPECT_TRUE(rtg::Settled(this->view, kept) == kept);
+  for (double glm::dvec3::* x : { &glm::dvec3::x, &glm::dvec3::y })
+  {
+    this->view = kept;
+    this->view.camera.eye.*x += 1e-9;
+    EXPECT_FALSE(rtg::Settled(this->view, kept) == kept);
+  }
+  this->view = kept;
+  this->view.lights[0].direction.x = 1e-3f;
+  EXPECT_FALSE(rtg::Settled(this->view, kept) == kept);
+}
+
 // Where both programs are compiled the first picture is a preview, and no part of a sample.
 TEST_F(ProgressiveImageTest, PreviewsComeFirstOnceTheyAreCompiled)
 {

@@ -124,6 +124,13 @@ def main():
     if not window.wait(finished, LIMIT):
         failures.append("after a turn the image has %s samples, not %d" % (seen[-1], SAMPLES))
     say("refined after a turn: %s" % seen)
+
+    # ParaView sets the camera anew for each render, and normalizes its view-up vector, which for this one never ends.
+    session.look(view, (-2.1, 4.3, 1.7), (0.0, 0.0, 0.0), (0.6671648240249001, 0.5184328916512436, 0.5349003967449961))
+    view.SMProxy.StillRender()
+    seen.clear()
+    if not window.wait(finished, 30.0):
+        failures.append("with a camera that rounding changes the image has %s samples, not %d" % (seen[-1], SAMPLES))
     return failures
 
 
