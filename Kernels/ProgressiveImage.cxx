@@ -294,10 +294,7 @@ void ProgressiveImage::Preview(const Request& request)
   const auto left = [&] { return request.start + seconds - request.source.Now(); };
   // To begin again costs more than a little more time.
   const Interrupt patient = [&](double)
-  {
-    return (request.IsTimed() && left() <= -seconds) ||
-      (request.interrupt && request.interrupt(0.0));
-  };
+  { return (request.IsTimed() && left() <= -seconds) || (request.interrupt && request.interrupt(0.0)); };
   const bool known = this->secondsPerPreviewRay_ > 0.0 || !request.IsTimed();
   std::uint32_t step = affordable(seconds);
   step = known ? step : std::max(step, firstPreviewStep);

@@ -38,7 +38,7 @@ private:
   void TellTime(const pqRayTracedGlyphsRefinement::Image& image);
 
   std::vector<QAction*> Qualities; // their data: RenderingQuality
-  QAction* Untold = nullptr; // the quality that was chosen, while its time is not known
+  QAction* Untold = nullptr;       // the quality that was chosen, while its time is not known
   QAction* Stop = nullptr;
   QProgressBar* Samples = nullptr;
 };

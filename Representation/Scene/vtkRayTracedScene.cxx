@@ -415,8 +415,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
 }
 
 //----------------------------------------------------------------------------
-// A rank's own part of the picture has edges that the whole has not. Without a GPU, smoothing takes longer than all else
-// that OpenGL does for a frame: while an image is refined or the camera turned, the user would wait for it.
+// A rank's own part of the picture has edges that the whole has not. Without a GPU, smoothing takes longer than all
+// else that OpenGL does for a frame: while an image is refined or the camera turned, the user would wait for it.
 void vtkRayTracedScene::SmoothFrame()
 {
   Internals& self = *this->Self;

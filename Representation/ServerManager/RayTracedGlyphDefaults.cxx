@@ -112,11 +112,11 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     where("Representation", "Ray Traced Surface", "inverse='1'") +
     where("Representation", "Ray Traced Tubes", "inverse='1'") + "</Expression></PropertyWidgetDecorator>";
   const vtkSmartPointer<vtkPVXMLElement> decorator = vtkPVXMLParser::ParseXML(others.c_str());
-  for (const char* name : { "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres",
-         "SelectTCoordArray", "SelectNormalArray", "SelectTangentArray", "Texture", "RepeatTextures",
-         "InterpolateTextures", "SeamlessU", "SeamlessV", "UseMipmapTextures", "ShowTexturesOnBackface",
-         "NormalTexture", "CoatNormalTexture", "FlipTextures", "EdgeColor", "BackfaceRepresentation",
-         "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" })
+  for (const char* name :
+    { "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray", "SelectNormalArray",
+      "SelectTangentArray", "Texture", "RepeatTextures", "InterpolateTextures", "SeamlessU", "SeamlessV",
+      "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture", "FlipTextures", "EdgeColor",
+      "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" })
   {
     if (vtkSMProperty* property = display->GetProperty(name))
     {

@@ -487,7 +487,7 @@ TEST_F(ProgressiveImageTest, RoundingOfTheCameraBeginsNothingAgain)
   this->view.settings.skySlope.x = std::nextafter(kept.settings.skySlope.x, 1.0f);
   EXPECT_FALSE(this->view == kept);
   EXPECT_TRUE(rtg::Settled(this->view, kept) == kept);
-  for (double glm::dvec3::* x : { &glm::dvec3::x, &glm::dvec3::y })
+  for (double glm::dvec3::*x : { &glm::dvec3::x, &glm::dvec3::y })
   {
     this->view = kept;
     this->view.camera.eye.*x += 1e-9;
