@@ -100,8 +100,9 @@ def two_passes(checks):
                     2 * least <= rays(shown) // PIXELS)
 
     checks.true("two passes: the image stays unfinished", refine(view, shown, look=look))
-    # A preview of each comes before the first sample.
-    checks.within("two passes, finished: samples of both images", rays(shown) / PIXELS, 2 * samples, 2 * samples + 0.1)
+    # A preview of every eighth pixel of each, and one of every second, come before the first sample.
+    previews = 15 * 12 / PIXELS + 60 * 45 / PIXELS
+    checks.within("two passes, finished: samples of both images", rays(shown) / PIXELS, 2 * samples, 2 * (samples + previews))
     before = rays(shown)
     pv.Render(view)
     checks.equal("two passes, one more render: rays", rays(shown) - before, 0)
