@@ -99,7 +99,7 @@ Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std:
  */
 float Opacity(GlyphTuples& opacities, vtkIdType point);
 
-  /**
+/**
  * Why glyphs that need an array have none, with the remedy: it is not chosen, not there, or its number of components is
  * none of the `counts`. Empty: it fits.
  */
