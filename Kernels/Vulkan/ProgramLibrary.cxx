@@ -94,10 +94,11 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
     program->ahead = false;
     ++this->atWork_;
     RunInBackground(
-      [this, program]
+      [this, program]() mutable
       {
         this->Compile(*program);
         const std::lock_guard<std::mutex> done(this->mutex_);
+        program.reset(); // the device may go as soon as nothing is at work
         --this->atWork_;
         this->idle_.notify_all();
       });

@@ -25,16 +25,16 @@ FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
-    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30),
-    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 29), "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 26),
-    "Split Vector": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 23),
-    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 26),
-    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 24),
-    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28),
-    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28),
-    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26),
-    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + BY_DIRECTION + LAST, 26),
-    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 25)}
+    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 26), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 31),
+    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30), "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 27),
+    "Split Vector": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 24),
+    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 27),
+    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 25),
+    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 29), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 29),
+    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 29),
+    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 29), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27),
+    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + BY_DIRECTION + LAST, 27),
+    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 26)}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 

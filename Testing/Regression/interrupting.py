@@ -185,7 +185,7 @@ def aborted_capture(checks, window, view, shown, name, stop):
 def compiling(checks, window, view, shown):
     """While programs are compiled the window answers, and its progress bar says what it waits for."""
     told, toolbar, shape, mode = [], set(), shown.GlyphShape, shown.ShadingMode
-    shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Superquadric", "Path Tracing", 16
+    shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Nested Superquadric", "Path Tracing", 16
     pv.Render(view)
     checks.true("compiling: no end of it", window.wait(
         lambda: told.append(window.text(BAR)) or toolbar.add(window.text(SAMPLES)) or not pending(shown), LIMIT))
