@@ -313,7 +313,7 @@ TEST_P(FaultTest, WhatIsTooLargeForOneAllocationIsSaidSo)
   EXPECT_EQ(message(), "out of memory");
   const vk::DeviceSize most = vulkan.mostOfAllocation;
   vulkan.mostOfAllocation = 100;
-  EXPECT_NE(message().find("in one piece, of which '" + this->device->Name() + "' allows 0 MiB"), std::string::npos);
+  EXPECT_NE(message().find("in one buffer, of which '" + this->device->Name() + "' allows 0 MiB"), std::string::npos);
   vulkan.mostOfAllocation = most;
 }
 
