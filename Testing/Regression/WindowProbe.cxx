@@ -254,15 +254,15 @@ extern "C"
   // 1: a menu's action is on its way.
   Q_DECL_EXPORT int probe_trigger(const char* name)
   {
+    // Menus that are closed have actions of the same names, which nobody disables.
+    QList<QAction*> actions;
     for (QWidget* window : QApplication::topLevelWidgets())
     {
-      auto* action = window->findChild<QAction*>(name);
-      if (action && action->isEnabled())
-      {
-        return QMetaObject::invokeMethod(action, "trigger", Qt::QueuedConnection);
-      }
+      actions += window->inherits("QMainWindow") ? window->findChildren<QAction*>(name) : QList<QAction*>();
     }
-    return 0;
+    const auto enabled =
+      std::find_if(actions.begin(), actions.end(), [](QAction* action) { return action->isEnabled(); });
+    return enabled != actions.end() && QMetaObject::invokeMethod(*enabled, "trigger", Qt::QueuedConnection);
   }
 
   // What a label, a button, a line of text, a progress bar or a status bar says; copied, at most `size` characters with
