@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -34,6 +35,27 @@ vtkDataArray* IdsOf(vtkPolyData* points, const std::string& name)
   vtkPointData* data = points->GetPointData();
   vtkDataArray* ids = rtglyphs::RayTracedArrays::IsNone(name) ? data->GetGlobalIds() : data->GetArray(name.c_str());
   return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
+}
+
+// The longest ways along each axis that are taken for motion.
+std::array<double, 3> LongestWays(const rtglyphs::GlyphStep::Pairs& pairs)
+{
+  std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+  for (int c = 0; c < 3 && !pairs.empty(); ++c)
+  {
+    std::vector<double> ways;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const auto& [now, before] : pairs)
+    {
+      ways.push_back(std::abs(now->X[c] - before->X[c]));
+      least = std::min({ least, now->X[c], before->X[c] });
+      most = std::max({ most, now->X[c], before->X[c] });
+    }
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
+  }
+  return longest;
 }
 }
 
@@ -144,24 +166,20 @@ rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::Match(const std::vector<Entry>& 
 }
 
 //----------------------------------------------------------------------------
-std::array<double, 3> rtglyphs::GlyphStep::LongestWays(const Pairs& pairs)
+rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::WithoutCrossings(Pairs pairs)
 {
-  std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
-  for (int c = 0; c < 3 && !pairs.empty(); ++c)
-  {
-    std::vector<double> ways;
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const auto& [now, before] : pairs)
+  const std::array<double, 3> longest = LongestWays(pairs);
+  std::erase_if(pairs,
+    [&longest](const auto& pair)
     {
-      ways.push_back(std::abs(now->X[c] - before->X[c]));
-      least = std::min({ least, now->X[c], before->X[c] });
-      most = std::max({ most, now->X[c], before->X[c] });
-    }
-    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
-    std::nth_element(ways.begin(), middle, ways.end());
-    longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
-  }
-  return longest;
+      bool crossed = false;
+      for (int c = 0; c < 3; ++c)
+      {
+        crossed |= std::abs(pair.first->X[c] - pair.second->X[c]) > longest[c];
+      }
+      return crossed;
+    });
+  return pairs;
 }
 
 //----------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 
 #include "vtkType.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -63,11 +62,10 @@ public:
   ///@}
 
   /**
-   * The longest ways along each axis that are taken for motion: half of the extent where most points move less than a
-   * tenth of it, else infinite. What goes farther has crossed the border of a periodic box, whose length is
-   * not among the data.
+   * The pairs but for those that move farther along an axis than half of the extent, where most points move less than a
+   * tenth of it: these have crossed the border of a periodic box, whose length the data do not tell.
    */
-  static std::array<double, 3> LongestWays(const Pairs& pairs);
+  static Pairs WithoutCrossings(Pairs pairs);
 
 private:
   void Add(vtkPolyData* points, vtkDataArray* ids, int leaf);

@@ -16,7 +16,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -191,24 +190,22 @@ void rtglyphs::GlyphStepTrail::AddTo(vtkDataObject* gathered, const rtg::Periodi
   std::vector<GlyphStep::Entry> later = this->Shown.GetEntries(); // those whose trails go on, with their last places
   for (std::size_t step = 0; step < this->Earlier.size(); ++step)
   {
-    const GlyphStep::Pairs pairs = GlyphStep::Match(later, this->Kept.at(this->Earlier[step]).GetEntries());
-    const std::array<double, 3> longest = GlyphStep::LongestWays(pairs);
+    GlyphStep::Pairs pairs = GlyphStep::Match(later, this->Kept.at(this->Earlier[step]).GetEntries());
+    if (translations.empty())
+    {
+      pairs = GlyphStep::WithoutCrossings(std::move(pairs));
+    }
     std::vector<GlyphStep::Entry> going;
     going.reserve(pairs.size());
     for (const auto& [now, before] : pairs)
     {
       const glm::dvec3 way(before->X[0] - now->X[0], before->X[1] - now->X[1], before->X[2] - now->X[2]);
-      const bool crossed = translations.empty() &&
-        (std::abs(way.x) > longest[0] || std::abs(way.y) > longest[1] || std::abs(way.z) > longest[2]);
-      if (!crossed)
+      const glm::dvec3 shift = ShiftToNearest(way, translations);
+      going.push_back(*now);
+      for (int c = 0; c < 3; ++c)
       {
-        const glm::dvec3 shift = ShiftToNearest(way, translations);
-        going.push_back(*now);
-        for (int c = 0; c < 3; ++c)
-        {
-          going.back().X[c] = before->X[c] + shift[c];
-          trails[now->Leaf]->SetComponent(now->Point, static_cast<int>(3 * step) + c, going.back().X[c]);
-        }
+        going.back().X[c] = before->X[c] + shift[c];
+        trails[now->Leaf]->SetComponent(now->Point, static_cast<int>(3 * step) + c, going.back().X[c]);
       }
     }
     later = std::move(going);

@@ -7,7 +7,7 @@
  * takes 48 bytes a point and step.
  *
  * A trail ends where the next earlier step has no single point of that id, or none of finite position, and where the
- * point went farther than GlyphStep::LongestWays(); in a periodic box it goes on to the nearest image.
+ * point crossed a border (GlyphStep::WithoutCrossings()); in a periodic box it goes on to the nearest image.
  */
 #ifndef GlyphStepTrail_h
 #define GlyphStepTrail_h

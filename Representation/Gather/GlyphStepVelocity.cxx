@@ -11,7 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -93,22 +92,17 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
   }
 
   const double length = time - this->Before.Time;
-  const rtglyphs::GlyphStep::Pairs pairs =
+  rtglyphs::GlyphStep::Pairs pairs =
     rtglyphs::GlyphStep::Match(this->Now.Points.GetEntries(), this->Before.Points.GetEntries());
-  const std::array<double, 3> longest = rtglyphs::GlyphStep::LongestWays(pairs);
+  this->WithoutPartner = this->Points - static_cast<vtkIdType>(pairs.size());
+  pairs = rtglyphs::GlyphStep::WithoutCrossings(std::move(pairs));
   for (const auto& [now, before] : pairs)
   {
-    bool crossed = false;
     for (int c = 0; c < 3; ++c)
-    {
-      crossed |= std::abs(now->X[c] - before->X[c]) > longest[c];
-    }
-    for (int c = 0; c < 3 && !crossed; ++c)
     {
       velocities[now->Leaf]->SetComponent(now->Point, c, (now->X[c] - before->X[c]) / length);
     }
   }
-  this->WithoutPartner = this->Points - static_cast<vtkIdType>(pairs.size());
   this->Outcome = this->WithoutPartner > 0 ? WITHOUT_PARTNER : FOUND;
 }
 

@@ -8,8 +8,8 @@
  * point.
  *
  * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
- * the two positions is not finite. So do all in the first step, and those that go farther than
- * GlyphStep::LongestWays().
+ * the two positions is not finite. So do all in the first step, and those that
+ * cross a border (GlyphStep::WithoutCrossings()).
  */
 #ifndef GlyphStepVelocity_h
 #define GlyphStepVelocity_h

@@ -382,28 +382,7 @@ void vtkRayTracedGlyphRepresentation::SetPartBounds(const double bounds[6])
 void vtkRayTracedGlyphRepresentation::ShowLayers(bool visible)
 {
   this->Superclass::ShowLayers(visible);
-  this->Legend->SetVisibility(visible);
   this->Layers->SetVisibility(visible);
-}
-
-//----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::AddToView(vtkView* view)
-{
-  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
-  {
-    this->Legend->AddTo(renderView);
-  }
-  return this->Superclass::AddToView(view);
-}
-
-//----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
-{
-  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
-  {
-    this->Legend->RemoveFrom(renderView);
-  }
-  return this->Superclass::RemoveFromView(view);
 }
 
 //----------------------------------------------------------------------------

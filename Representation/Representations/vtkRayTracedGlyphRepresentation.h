@@ -252,8 +252,7 @@ protected:
   void SetPartBounds(const double bounds[6]) override;
   void ShowLayers(bool visible) override;
   void RemoveLayers(vtkPVRenderView* view) override;
-  bool AddToView(vtkView* view) override;
-  bool RemoveFromView(vtkView* view) override;
+  std::vector<vtkRayTracedLegend*> GetLegends() override { return { this->Legend, this->Key }; }
 
 private:
   rtglyphs::GlyphSettings MakeSettings() const;

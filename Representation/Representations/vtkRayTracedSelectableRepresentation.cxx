@@ -74,7 +74,10 @@ void vtkRayTracedSelectableRepresentation::SetGlyphDirectionKey(int place)
 //----------------------------------------------------------------------------
 void vtkRayTracedSelectableRepresentation::ShowLayers(bool visible)
 {
-  this->Key->SetVisibility(visible);
+  for (vtkRayTracedLegend* legend : this->GetLegends())
+  {
+    legend->SetVisibility(visible);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -82,7 +85,10 @@ bool vtkRayTracedSelectableRepresentation::AddToView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    this->Key->AddTo(renderView);
+    for (vtkRayTracedLegend* legend : this->GetLegends())
+    {
+      legend->AddTo(renderView);
+    }
   }
   return this->Superclass::AddToView(view);
 }
@@ -92,7 +98,10 @@ bool vtkRayTracedSelectableRepresentation::RemoveFromView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    this->Key->RemoveFrom(renderView);
+    for (vtkRayTracedLegend* legend : this->GetLegends())
+    {
+      legend->RemoveFrom(renderView);
+    }
   }
   return this->Superclass::RemoveFromView(view);
 }

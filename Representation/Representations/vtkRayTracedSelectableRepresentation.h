@@ -18,6 +18,7 @@
 #endif
 
 #include <array>
+#include <vector>
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSelectableRepresentation : public vtkRayTracedRepresentation
 {
@@ -58,6 +59,11 @@ protected:
   void ForgetGathered() { this->Gathered = nullptr; }
 
   const std::array<double, 3>& GetSelectionColor() const { return this->SelectionColor; }
+
+  /**
+   * What comes, goes and is hidden with the representation in the views' corners.
+   */
+  virtual std::vector<vtkRayTracedLegend*> GetLegends() { return { this->Key }; }
 
   /**
    * What the key shows is what the representation does with it.
