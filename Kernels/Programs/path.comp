@@ -94,30 +94,30 @@ ScatterNumbers DrawNumbers(const Surface surface, const SampleNumber number, con
 bool Survives(const SampleNumber number, const uint bounce, const Surface surface, const SurfaceHit hit,
   const vec3 direction, inout vec3 throughput, inout vec3 radiance)
 {
-  if (bounce < (Guessing() ? 1u : 2u))
+  // One exit: LLVM 21 loses the guess of some lanes otherwise.
+  bool survives = true;
+  if (bounce >= (Guessing() ? 1u : 2u))
   {
-    return true;
+    vec3 albedo = AlbedoSeen(surface, dot(normalize(direction), hit.shadingNormal));
+    float strongest = max(throughput.x, max(throughput.y, throughput.z));
+    float survival = strongest * max(max(albedo.x, albedo.y), max(albedo.z, leastSurvival));
+    if (survival < 1.0)
+    {
+      vec3 guess = vec3(0.0);
+      if (Guessing())
+      {
+        guess = throughput * frame.environment * albedo * (1.0 - guessedOcclusion) / (1.0 - guessedOcclusion * albedo);
+      }
+      radiance += guess;
+      survives = SamplePair(number, PairOf(bounce, pairLight)).y < survival;
+      if (survives)
+      {
+        throughput /= survival;
+        radiance -= guess / survival;
+      }
+    }
   }
-  vec3 albedo = AlbedoSeen(surface, dot(normalize(direction), hit.shadingNormal));
-  float strongest = max(throughput.x, max(throughput.y, throughput.z));
-  float survival = strongest * max(max(albedo.x, albedo.y), max(albedo.z, leastSurvival));
-  if (survival >= 1.0)
-  {
-    return true;
-  }
-  vec3 guess = vec3(0.0);
-  if (Guessing())
-  {
-    guess = throughput * frame.environment * albedo * (1.0 - guessedOcclusion) / (1.0 - guessedOcclusion * albedo);
-  }
-  radiance += guess;
-  if (SamplePair(number, PairOf(bounce, pairLight)).y >= survival)
-  {
-    return false;
-  }
-  throughput /= survival;
-  radiance -= guess / survival;
-  return true;
+  return survives;
 }
 
 // From an unoccluded direction without a sampled light.
