@@ -1,9 +1,6 @@
 #include "vtkRayTracedRepresentation.h"
 
 #include "GlyphJoinedArrays.h"
-#include "GlyphShutterGuess.h"
-#include "GlyphStepTrail.h"
-#include "GlyphStepVelocity.h"
 #include "Glyphs.h"
 #include "Tracer.h"
 #include "RayTracedArrays.h"
@@ -40,7 +37,6 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <optional>
 #include <utility>
 
 using namespace rtglyphs::RayTracedNumbers;
@@ -56,9 +52,7 @@ struct ScreenshotState : vtkPVRenderView
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
-  : StepVelocity(std::make_unique<rtglyphs::GlyphStepVelocity>())
-  , StepTrail(std::make_unique<rtglyphs::GlyphStepTrail>())
-  , MadeImages(std::make_shared<rtg::PeriodicImages>())
+  : MadeImages(std::make_shared<rtg::PeriodicImages>())
   , MadeSection(std::make_shared<rtg::Section>())
 {
   this->RequestGhostCellsIfNeeded = false;
@@ -102,12 +96,13 @@ int vtkRayTracedRepresentation::RequestData(
       if (input)
       {
         const vtkSmartPointer<vtkDataObject> made = this->GatherTree(input, wholeExtent);
-        again = this->AddTrails(made, input, info);
+        again = this->Time.AddTrails(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
+          [&] { return this->MakeImages(made, input, /*together=*/true); });
         if (again)
         {
           return;
         }
-        this->AddStepVelocities(made, input);
+        this->Time.AddVelocities(made, input, this->GetInputAlgorithm());
         rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
         gathered = made;
       }
@@ -121,7 +116,11 @@ int vtkRayTracedRepresentation::RequestData(
   }
   if (!good)
   {
-    this->StepTrail->GiveUp();
+    this->Time.GiveUp();
+  }
+  else if (const std::string message = this->Time.TakeMessage(); !message.empty())
+  {
+    vtkWarningMacro(<< message);
   }
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->MultiBlockMaker->SetInputDataObject(gathered);
@@ -199,51 +198,11 @@ rtglyphs::RayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(con
 }
 
 //----------------------------------------------------------------------------
-// Where the data are, and not where they are rendered: what is delivered may come from ParaView's cache of time steps.
-void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input)
-{
-  if (!this->Motion.FromPreviousStep)
-  {
-    return;
-  }
-  this->StepVelocity->AddTo(gathered, input, this->GetInputAlgorithm());
-  const std::string message = this->StepVelocity->TakeMessage();
-  if (!message.empty())
-  {
-    vtkWarningMacro(<< message);
-  }
-}
-
-//----------------------------------------------------------------------------
-// Whether the pipeline is to be asked for another step.
-bool vtkRayTracedRepresentation::AddTrails(vtkDataObject* gathered, vtkDataObject* input, vtkInformation* from)
-{
-  if (this->HasTrails())
-  {
-    vtkInformation* info = input->GetInformation();
-    const double time =
-      info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : this->GetUpdateTime();
-    if (this->StepTrail->Take(gathered, time, from, this->GetInputAlgorithm()))
-    {
-      return true;
-    }
-  }
-  this->StepTrail->AddTo(
-    gathered, this->HasTrails() ? this->MakeImages(gathered, input, /*together=*/true) : rtg::PeriodicImages());
-  const std::string message = this->StepTrail->TakeMessage();
-  if (!message.empty())
-  {
-    vtkWarningMacro(<< message);
-  }
-  return false;
-}
-
-//----------------------------------------------------------------------------
 int vtkRayTracedRepresentation::RequestUpdateTime(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateTime(request, inputVector, outputVector);
-  this->AskForMissingStep(inputVector);
+  this->Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
   return good;
 }
 
@@ -252,62 +211,8 @@ int vtkRayTracedRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  this->AskForMissingStep(inputVector);
+  this->Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
   return good;
-}
-
-//----------------------------------------------------------------------------
-// Of all inputs, since those behind the same source get one time.
-void vtkRayTracedRepresentation::AskForMissingStep(vtkInformationVector** inputVector)
-{
-  const std::optional<double> missing = this->StepTrail->GetMissing();
-  for (int port = 0; missing && port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      inputVector[port]->GetInformationObject(i)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *missing);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
-// On all ranks that have data; after their sizes are known, and before their bounds.
-void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
-{
-  if (!this->ShutterTimeFromData || !this->Motion.On || this->GetNumberOfInputConnections(0) == 0)
-  {
-    return;
-  }
-  if (this->Motion.FromPreviousStep)
-  {
-    this->ShutterTime = rtglyphs::RayTracedRanks::Largest(this->StepVelocity->GetStepLength());
-    return;
-  }
-  double unitSize = 1.0;
-  const rtglyphs::GlyphSettings sizes = this->GetSizes(points, unitSize);
-  this->ShutterTime =
-    rtglyphs::GlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphMotion::Settings vtkRayTracedRepresentation::GetMotion() const
-{
-  rtglyphs::GlyphMotion::Settings motion = this->Motion;
-  if (this->ShutterTimeFromData)
-  {
-    // While nothing moves any will do.
-    const double known = this->ShutterTime > 0.0 ? this->ShutterTime : motion.ShutterTime;
-    motion.ShutterTime = known > 0.0 ? known : 1.0;
-  }
-  return motion;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetShutterTimeFromData(bool on)
-{
-  this->ShutterTimeFromData = on;
-  this->ShutterGuess.Forget();
-  this->ShutterTime = 0.0;
 }
 
 //----------------------------------------------------------------------------
@@ -398,7 +303,12 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     this->Piece = vtkPVView::GetPiece(inInfo, this);
     this->UseBlocks(this->Piece);
     this->Deliver(inInfo, /*lod=*/false);
-    this->UpdateShutterTime(this->GetPoints());
+    if (this->GetNumberOfInputConnections(0) > 0)
+    {
+      this->Time.UpdateShutterTime(
+        this->GetPoints(), [this](double& unitSize) { return this->GetSizes(this->GetPoints(), unitSize); },
+        this->GetUpdateTime());
+    }
     double bounds[6];
     std::copy_n(this->GetDataBounds(this->GetPoints()), 6, bounds);
     rtglyphs::ExtendBounds(this->MakeImages(this->GetPoints(), this->Piece, /*together=*/true), bounds);
@@ -563,7 +473,8 @@ void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
 //----------------------------------------------------------------------------
 std::vector<std::string> vtkRayTracedRepresentation::Arrays() const
 {
-  return { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity };
+  const rtglyphs::GlyphMotion::Settings& motion = this->Time.Motion;
+  return { motion.Velocity, motion.Acceleration, motion.AngularVelocity };
 }
 
 //****************************************************************************
@@ -690,31 +601,9 @@ vtkRayTracedScene* vtkRayTracedRepresentation::GetScene()
 //****************************************************************************
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetVelocityFromPreviousStep(bool on)
+void vtkRayTracedRepresentation::GatherIf(bool changed)
 {
-  if (this->Motion.FromPreviousStep != on)
-  {
-    this->Motion.FromPreviousStep = on;
-    this->StepVelocity->Reset();
-    this->MarkModified(); // the points must be gathered again
-  }
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetPointIdArray(const char* name)
-{
-  const bool ofVelocity = this->StepVelocity->SetPointIdArray(OrEmpty(name)) && this->Motion.FromPreviousStep;
-  const bool ofTrails = this->StepTrail->SetPointIdArray(OrEmpty(name)) && this->HasTrails();
-  if (ofVelocity || ofTrails)
-  {
-    this->MarkModified();
-  }
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetTrailSteps(int steps)
-{
-  if (this->StepTrail->SetSteps(steps))
+  if (changed)
   {
     this->MarkModified();
   }
@@ -724,29 +613,11 @@ void vtkRayTracedRepresentation::SetTrailSteps(int steps)
 // The box of the data also tells where trails go on.
 void vtkRayTracedRepresentation::SetPeriodicBoundary(bool on)
 {
-  if (std::exchange(this->Periodic.Boundary, on) != on && this->HasTrails())
-  {
-    this->MarkModified();
-  }
+  this->GatherIf(std::exchange(this->Periodic.Boundary, on) != on && this->HasTrails());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPeriodicVectors(int index, double value)
 {
-  if (std::exchange(this->Periodic.Vectors.at(index), value) != value && this->HasTrails())
-  {
-    this->MarkModified();
-  }
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedRepresentation::GetTrailSteps() const
-{
-  return this->StepTrail->GetSteps();
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetShutterOpening(int opening)
-{
-  this->Motion.Opening = std::clamp(opening, 0, 2);
+  this->GatherIf(std::exchange(this->Periodic.Vectors.at(index), value) != value && this->HasTrails());
 }

@@ -23,15 +23,15 @@
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "GlyphBounds.h"
-#include "GlyphKeptGuess.h"
-#include "GlyphMotion.h"
 #include "RayTracedBlocks.h"
 #include "RayTracedNumbers.h"
 #include "RayTracedParallel.h"
 #include "RayTracedPeriodic.h"
 #include "RayTracedSection.h"
+#include "RayTracedTime.h"
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -44,11 +44,6 @@ class vtkPVRenderView;
 class vtkRayTracedActor;
 class vtkRayTracedMapper;
 class vtkRayTracedScene;
-namespace rtglyphs
-{
-class GlyphStepTrail;
-class GlyphStepVelocity;
-}
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
 {
@@ -62,30 +57,30 @@ public:
    * an array of one component, by default the global ids, identifies points. See GlyphMotion::Settings for
    * defaults.
    */
-  void SetMotionBlur(bool on) { this->Motion.On = on; }
-  void SetVelocityArray(const char* name) { this->SetArray(this->Motion.Velocity, name); }
-  void SetVelocityFromPreviousStep(bool on);
-  void SetPointIdArray(const char* name);
-  void SetAccelerationArray(const char* name) { this->SetArray(this->Motion.Acceleration, name); }
-  void SetAngularVelocityArray(const char* name) { this->SetArray(this->Motion.AngularVelocity, name); }
-  void SetMotionBlurMask(const char* name) { this->Motion.Mask = OrEmpty(name); }
-  void SetShutterTimeFromData(bool on);
-  void SetShutterTime(double time) { this->Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0); }
-  void SetShutterOpening(int opening);
+  void SetMotionBlur(bool on) { this->Time.Motion.On = on; }
+  void SetVelocityArray(const char* name) { this->SetArray(this->Time.Motion.Velocity, name); }
+  void SetVelocityFromPreviousStep(bool on) { this->GatherIf(this->Time.SetVelocityFromPreviousStep(on)); }
+  void SetPointIdArray(const char* name) { this->GatherIf(this->Time.SetPointIdArray(OrEmpty(name))); }
+  void SetAccelerationArray(const char* name) { this->SetArray(this->Time.Motion.Acceleration, name); }
+  void SetAngularVelocityArray(const char* name) { this->SetArray(this->Time.Motion.AngularVelocity, name); }
+  void SetMotionBlurMask(const char* name) { this->Time.Motion.Mask = OrEmpty(name); }
+  void SetShutterTimeFromData(bool on) { this->Time.SetShutterTimeFromData(on); }
+  void SetShutterTime(double time) { this->Time.Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0); }
+  void SetShutterOpening(int opening) { this->Time.Motion.Opening = std::clamp(opening, 0, 2); }
   ///@}
 
   /**
    * In how many earlier time steps the points are sought (GlyphStepTrail), for representations that show their trails.
    * Default is 0.
    */
-  void SetTrailSteps(int steps);
+  void SetTrailSteps(int steps) { this->GatherIf(this->Time.SetTrailSteps(steps)); }
 
   /**
    * The shutter time that the data suggest while ShutterTimeFromData is on (default): GlyphShutterGuess's, or with
    * velocities from the previous step the time between the two. 0: none yet. Processes that have data use it by
    * themselves; those that only render get it by SetShutterTime().
    */
-  double GetShutterTimeGuess() { return this->ShutterTime; }
+  double GetShutterTimeGuess() { return this->Time.GetShutterTimeGuess(); }
 
   ///@{
   /**
@@ -155,13 +150,10 @@ protected:
    */
   virtual rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
 
-  int GetTrailSteps() const;
+  int GetTrailSteps() const { return this->Time.GetTrailSteps(); }
   bool HasTrails() const { return this->GetTrailSteps() > 0; }
 
-  /**
-   * How it moves: the properties, with the shutter time that the data suggest.
-   */
-  rtglyphs::GlyphMotion::Settings GetMotion() const;
+  rtglyphs::GlyphMotion::Settings GetMotion() const { return this->Time.GetMotion(); }
 
   ///@{
   /**
@@ -208,19 +200,16 @@ protected:
    */
   void SetArray(std::string& held, const char* name);
 
-  rtglyphs::GlyphMotion::Settings Motion; // as the properties say
-  rtglyphs::RayTracedBlocks Blocks;       // of what was last delivered or rendered
+  rtglyphs::RayTracedTime Time;
+  rtglyphs::RayTracedBlocks Blocks; // of what was last delivered or rendered
 
 private:
   void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
+  void GatherIf(bool changed);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
   bool IsCollective(vtkInformation* inInfo);
-  bool AddTrails(vtkDataObject* gathered, vtkDataObject* input, vtkInformation* from);
-  void AskForMissingStep(vtkInformationVector** inputVector);
-  void AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input);
-  void UpdateShutterTime(vtkPolyData* points);
   void UseBlocks(vtkDataObject* data);
   void UpdateActor();
   void ReportAnew(const std::string& problem, std::string& reported);
@@ -239,17 +228,12 @@ private:
   vtkDataObject* AttributedData = nullptr;                   // only to be compared
   vtkMTimeType AttributedTime = 0;
   bool Guarded = false, LacksMemory = false; // see WithinMemory()
-  std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
-  std::unique_ptr<rtglyphs::GlyphStepTrail> StepTrail;
-  bool ShutterTimeFromData = true;
-  double ShutterTime = 0.0; // that the data suggest; 0: none
   rtglyphs::RayTracedPeriodic Periodic;
   std::shared_ptr<rtg::PeriodicImages> MadeImages; // of all mappers
   std::string PeriodicProblem;                     // that has been reported
   rtglyphs::RayTracedSection Section;
   std::shared_ptr<rtg::Section> MadeSection; // of all mappers
   std::string SectionProblem;                // that has been reported
-  rtglyphs::GlyphKeptGuess ShutterGuess;
 };
 
 #endif
