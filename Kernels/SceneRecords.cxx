@@ -165,6 +165,7 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, st
 {
   const Section& section = set.material.section;
   record.variants |= device::SECTION;
+  record.variants |= section.moves && set.instances.motion.Any() ? device::SECTION_MOVES : 0u;
   record.section = planes.size() * sizeof(float); // the address comes when all are known
   record.sectionPlanes = static_cast<std::uint32_t>(section.planes.size());
   record.sectionKeepsInside = section.keepsInside;
