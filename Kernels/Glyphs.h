@@ -210,7 +210,7 @@ struct Section
     glm::dvec3 normal{ 0, 0, 1.0 }; ///< out of the body, of any length but zero
     bool operator==(const Plane&) const = default;
   };
-  std::vector<Plane> planes; ///< of the body, up to six; none: no cut
+  std::vector<Plane> planes; ///< of the body: three, or pairs back to back; none: no cut
   bool keepsInside = false;  ///< of the body, else what is outside it
   Faces faces = Faces::Caps;
   /// Each glyph takes the cut that it has at time 0 along on its path, as it rotates; else the cut stands still. For the

@@ -21,19 +21,6 @@ bool IsCap(const GlyphSetRecord set, const uint triangle)
   return Has(set.variants, SECTION) && triangle >= firstCap && triangle != nothing;
 }
 
-// The normal of one of the body's planes, out of it.
-vec3 SectionNormal(const GlyphSetRecord set, const uint plane)
-{
-  uint at = SECTION_NUMBERS * plane;
-  return vec3(set.section.at[at], set.section.at[at + 1u], set.section.at[at + 2u]);
-}
-
-DoubleWord SectionOffset(const GlyphSetRecord set, const uint plane)
-{
-  uint at = SECTION_NUMBERS * plane + 3u;
-  return DoubleWord(set.section.at[at], set.section.at[at + 1u]);
-}
-
 DoubleWord SumOf(const DoubleWord3 a)
 {
   return Add(Add(WordX(a), WordY(a)), WordZ(a));
@@ -65,31 +52,45 @@ DoubleWord3 CentreAtBody(const GlyphSetRecord set, const uint number, const Glyp
 // The cap's normal, out of what is left.
 vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
 {
-  vec3 normal = TurnedNormal(set, number, SectionNormal(set, triangle - firstCap));
-  return set.sectionKeepsInside != 0u ? normal : -normal;
+  uint plane = triangle - firstCap;
+  vec3 ofSlab = plane < 2u ? set.sectionSlab0.normal : plane < 4u ? set.sectionSlab1.normal : set.sectionSlab2.normal;
+  vec3 normal = TurnedNormal(set, number, ofSlab);
+  return (plane % 2u == 1u) == (set.sectionKeepsInside != 0u) ? normal : -normal;
 }
 
-// The ray inside the body; with SECTION_MOVES inside the glyph's.
-Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph)
+// The ray inside one of the body's slabs; with SECTION_MOVES inside the glyph's.
+Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  const SectionSlab slab, const int firstPlane)
 {
-  Span span = WholeRay();
+  vec3 normal = TurnedNormal(set, number, slab.normal);
   DoubleWord3 origin = DoubleWord3(ray.origin, ray.originLow);
-  DoubleWord3 centre;
+  DoubleWord height;
   if (Has(set.variants, SECTION_MOVES))
   {
+    // Above the plane through the center, and its height at rest
     origin = Add(origin, DoubleWord3(-glyph.centre, -glyph.centreLow));
-    centre = CentreAtBody(set, number, glyph);
+    height = Add(SumOf(Multiply(origin, normal)), SumOf(Multiply(CentreAtBody(set, number, glyph), slab.normal)));
   }
-  for (uint i = 0u; i < set.sectionPlanes; ++i)
+  else
   {
-    vec3 normal = TurnedNormal(set, number, SectionNormal(set, i));
-    DoubleWord height = Subtract(SumOf(Multiply(origin, normal)), SectionOffset(set, i));
-    if (Has(set.variants, SECTION_MOVES))
-    {
-      height = Add(height, SumOf(Multiply(centre, SectionNormal(set, i))));
-    }
-    DoubleWord slope = SumOf(TwoProduct(ray.direction, normal));
-    span = Intersection(span, Slab(height, slope, Word(-RTG_NEVER), Word(0.0), -1, int(i)));
+    height = SumOf(Multiply(origin, normal));
+  }
+  DoubleWord lower = DoubleWord(slab.lower.x, slab.lower.y);
+  DoubleWord upper = DoubleWord(slab.upper.x, slab.upper.y);
+  return Slab(height, SumOf(TwoProduct(ray.direction, normal)), lower, upper, firstPlane, firstPlane + 1);
+}
+
+// The slabs lie in the record, one by one: CPU devices load them once for all lanes.
+Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph)
+{
+  Span span = SlabSpan(set, ray, number, glyph, set.sectionSlab0, 0);
+  if (set.sectionSlabs > 1u)
+  {
+    span = Intersection(span, SlabSpan(set, ray, number, glyph, set.sectionSlab1, 2));
+  }
+  if (set.sectionSlabs > 2u)
+  {
+    span = Intersection(span, SlabSpan(set, ray, number, glyph, set.sectionSlab2, 4));
   }
   return span;
 }
@@ -133,6 +134,13 @@ bool StartsAtCap(const GlyphSetRecord set, const float tMin)
   return Has(set.variants, SECTION) && capPlane != nothing && tMin == capStart;
 }
 
+bool IsBetween(const DoubleWord3 position, const SectionSlab slab)
+{
+  DoubleWord height = SumOf(Multiply(position, slab.normal));
+  return Subtract(height, DoubleWord(slab.lower.x, slab.lower.y)).hi >= 0.0 &&
+    Subtract(height, DoubleWord(slab.upper.x, slab.upper.y)).hi <= 0.0;
+}
+
 // Whether the glyph is not there as a whole.
 bool IsLeftOut(const GlyphSetRecord set, const uint number, const Glyph glyph)
 {
@@ -140,13 +148,10 @@ bool IsLeftOut(const GlyphSetRecord set, const uint number, const Glyph glyph)
   {
     return false;
   }
-  bool inside = true;
-  for (uint i = 0u; i < set.sectionPlanes; ++i)
-  {
-    DoubleWord3 centre = CentreAtBody(set, number, glyph);
-    DoubleWord height = Subtract(SumOf(Multiply(centre, SectionNormal(set, i))), SectionOffset(set, i));
-    inside = inside && height.hi <= 0.0;
-  }
+  DoubleWord3 centre = CentreAtBody(set, number, glyph);
+  bool inside = IsBetween(centre, set.sectionSlab0);
+  inside = inside && (set.sectionSlabs < 2u || IsBetween(centre, set.sectionSlab1));
+  inside = inside && (set.sectionSlabs < 3u || IsBetween(centre, set.sectionSlab2));
   return inside != (set.sectionKeepsInside != 0u);
 }
 

@@ -81,16 +81,15 @@ rtg::Section rtglyphs::RayTracedSection::Make(bool blurs, std::string& problem) 
       box->GetTransform()->GetInverse()->TransformPoint(&in.x, &out.x);
       return out;
     };
-    const glm::dvec3 middle = toWorld(glm::dvec3(0.5));
-    for (int side = 0; side < 6; ++side)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const int axis = side / 2;
-      glm::dvec3 at(0.5);
-      at[axis] = side % 2;
-      const glm::dvec3 point = toWorld(at);
+      glm::dvec3 lower(0.5), upper(0.5);
+      lower[axis] = 0.0;
+      upper[axis] = 1.0;
+      const glm::dvec3 first = toWorld(lower), last = toWorld(upper), normal = glm::normalize(last - first);
       if (this->Length[axis] != 0.0)
       {
-        section.planes.push_back({ point, glm::normalize(point - middle) });
+        section.planes.insert(section.planes.end(), { { first, -normal }, { last, normal } });
       }
     }
   }
