@@ -213,8 +213,8 @@ struct Section
   std::vector<Plane> planes; ///< of the body: three, or pairs back to back; none: no cut
   bool keepsInside = false;  ///< of the body, else what is outside it
   Faces faces = Faces::Caps;
-  /// Each glyph takes the cut that it has at time 0 along on its path, as it rotates; else the cut stands still. For the
-  /// motion of a mesh's own positions it stands still.
+  /// Each glyph takes the cut that it has at time 0 along on its path, as it rotates; else the cut stands still. For
+  /// the motion of a mesh's own positions it stands still.
   bool moves = false;
   std::optional<glm::vec3> capColour; ///< instead of the glyphs' colors
 
