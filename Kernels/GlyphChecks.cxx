@@ -243,13 +243,33 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   }
 }
 
+std::vector<device::SectionSlab> SlabsOf(const Section& section, const glm::dvec3& origin)
+{
+  std::vector<device::SectionSlab> slabs;
+  for (const Section::Plane& plane : section.planes)
+  {
+    // The plane passes its point, however its normal is rounded.
+    const glm::vec3 normal(glm::normalize(plane.normal));
+    const double offset = glm::dot(glm::dvec3(normal), plane.point - origin);
+    const float high = static_cast<float>(offset);
+    const glm::vec2 words(high, static_cast<float>(offset - high));
+    const auto faced = std::find_if(slabs.begin(), slabs.end(),
+      [&](const device::SectionSlab& slab)
+      { return slab.lower.x == device::SECTION_UNBOUNDED && slab.normal == -normal; });
+    if (faced != slabs.end())
+    {
+      faced->lower = -words;
+    }
+    else
+    {
+      slabs.push_back({ normal, { device::SECTION_UNBOUNDED, 0.0f }, words });
+    }
+  }
+  return slabs;
+}
+
 void CheckSection(const Section& section)
 {
-  constexpr std::size_t most = 6;
-  if (section.planes.size() > most)
-  {
-    Fail("a cut has " + std::to_string(section.planes.size()) + " planes; it can have " + std::to_string(most) + ".");
-  }
   for (const Section::Plane& plane : section.planes)
   {
     const double length = glm::length(plane.normal);
@@ -259,6 +279,11 @@ void CheckSection(const Section& section)
       Fail("a plane of a cut has a normal of length " + std::to_string(length) + " and a point " +
         std::to_string(farthest) + " from the origin; give it a normal of some length and a finite point.");
     }
+  }
+  if (const std::size_t slabs = SlabsOf(section, {}).size(); slabs > 3)
+  {
+    Fail("a cut has " + std::to_string(section.planes.size()) + " planes, which bound " + std::to_string(slabs) +
+      " slabs; it can have three.");
   }
 }
 

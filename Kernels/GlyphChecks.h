@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Glyphs.h"
+#include "HostDevice.h"
 
 #include <cstddef>
 
@@ -17,6 +18,8 @@ void CheckColours(const GlyphInstances& instances, const GlyphColours& colours);
 
 /// Likewise of a cut.
 void CheckSection(const Section& section);
+/// The slabs whose intersection is a cut's body, relative to `origin`: two planes back to back are one.
+std::vector<device::SectionSlab> SlabsOf(const Section& section, const glm::dvec3& origin);
 
 /// Likewise of periodic images.
 void CheckImages(const PeriodicImages& images);

@@ -195,7 +195,7 @@ inline bool AnyTranslucent(const GlyphColours& colours)
 }
 
 /// A cut through the glyphs of a set: what lies inside a convex body, or all that lies outside it, is not there for any
-/// ray. Glyphs that move pass the cut, which stands still.
+/// ray.
 struct Section
 {
   enum class Faces : std::uint32_t
@@ -210,9 +210,12 @@ struct Section
     glm::dvec3 normal{ 0, 0, 1.0 }; ///< out of the body, of any length but zero
     bool operator==(const Plane&) const = default;
   };
-  std::vector<Plane> planes; ///< of the body, up to six; none: no cut
+  std::vector<Plane> planes; ///< of the body: three, or pairs back to back; none: no cut
   bool keepsInside = false;  ///< of the body, else what is outside it
   Faces faces = Faces::Caps;
+  /// Each glyph takes the cut that it has at time 0 along on its path, as it rotates; else the cut stands still. For
+  /// the motion of a mesh's own positions it stands still.
+  bool moves = false;
   std::optional<glm::vec3> capColour; ///< instead of the glyphs' colors
 
   bool operator==(const Section&) const = default;

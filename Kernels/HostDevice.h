@@ -45,6 +45,15 @@ struct TreeRecord
   uint nodesPerSlice;
 };
 
+// What lies between two parallel planes, or before one of them: a normal, and where along it the slab begins and ends,
+// as sums of two floats.
+struct SectionSlab
+{
+  vec3 normal;
+  vec2 lower;
+  vec2 upper;
+};
+
 // The record of a set, or of one of the driver's structures of it (the custom index of its instance). Only
 // values of features that the set has are valid.
 struct GlyphSetRecord
@@ -87,9 +96,11 @@ struct GlyphSetRecord
   TreeRecord meshTree;
   uint firstInstance; // of the driver's triangles: the instance of the set's first glyph
   uint meshClosed;    // triangles bound a body
-  // A cut: planes of a convex body, each its normal out of the body and its offset as a sum of two floats
-  RTG_ADDRESS(FloatArray) section;
-  uint sectionPlanes;
+  // A cut: of a convex body, the intersection of so many slabs
+  SectionSlab sectionSlab0;
+  SectionSlab sectionSlab1;
+  SectionSlab sectionSlab2;
+  uint sectionSlabs;
   uint sectionKeepsInside; // of the body, else what is outside it
   uint sectionFaces;       // rtg::Section::Faces
   uint sectionColours;     // caps have the color
@@ -169,8 +180,8 @@ const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSE
 const uint LAYER_CAPACITY = 24u;
 const float LEAST_PASSING = 1.0f / 512.0f;
 
-// Numbers of a plane of a cut, and what becomes of glyphs that it meets (rtg::Section::Faces).
-const uint SECTION_NUMBERS = 5u;
+// Where a slab begins that has one plane only, and what becomes of glyphs that a cut meets (rtg::Section::Faces).
+const float SECTION_UNBOUNDED = -1e30f;
 const uint SECTION_CAPS = 0u, SECTION_OPEN = 1u, SECTION_WHOLE = 2u;
 
 // So many lights are uniforms; a light kit has five.

@@ -2,6 +2,7 @@
 #include "SceneState.h"
 
 #include "Frame.h"
+#include "GlyphChecks.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -160,25 +161,23 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
   return instances;
 }
 
-// The record's values of a cut, whose planes are added to those of others.
-void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const
+// The record's values of a cut.
+void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record) const
 {
   const Section& section = set.material.section;
   record.variants |= device::SECTION;
-  record.section = planes.size() * sizeof(float); // the address comes when all are known
-  record.sectionPlanes = static_cast<std::uint32_t>(section.planes.size());
+  record.variants |= section.moves && set.instances.motion.Any() ? device::SECTION_MOVES : 0u;
   record.sectionKeepsInside = section.keepsInside;
   const bool cutsWhole = section.faces == Section::Faces::Whole && set.instances.identifyTriangles;
   record.sectionFaces = static_cast<std::uint32_t>(cutsWhole ? Section::Faces::Open : section.faces);
   record.sectionColours = section.capColour.has_value();
   record.sectionColour = section.capColour.value_or(glm::vec3(0.0f));
-  for (const Section::Plane& plane : section.planes)
+  const std::vector<device::SectionSlab> slabs = SlabsOf(section, this->origin);
+  record.sectionSlabs = static_cast<std::uint32_t>(slabs.size());
+  device::SectionSlab* const filled[] = { &record.sectionSlab0, &record.sectionSlab1, &record.sectionSlab2 };
+  for (std::size_t i = 0; i < slabs.size(); ++i)
   {
-    // The plane passes its point, however its normal is rounded.
-    const glm::vec3 normal(glm::normalize(plane.normal));
-    const double offset = glm::dot(glm::dvec3(normal), plane.point - this->origin);
-    const float high = static_cast<float>(offset);
-    planes.insert(planes.end(), { normal.x, normal.y, normal.z, high, static_cast<float>(offset - high) });
+    *filled[i] = slabs[i];
   }
   if (const TriangleMesh* mesh = set.placed.mesh.source.get())
   {
@@ -192,7 +191,6 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, st
 void Scene::State::FillRecords()
 {
   std::vector<device::GlyphSetRecord> filled;
-  std::vector<float> planes;
   for (auto& [id, set] : this->sets)
   {
     if (!set.Shown())
@@ -256,7 +254,7 @@ void Scene::State::FillRecords()
       }
       if (!set.material.section.planes.empty())
       {
-        this->FillSection(set, record, planes);
+        this->FillSection(set, record);
       }
       filled.push_back(record);
     }
@@ -272,14 +270,6 @@ void Scene::State::FillRecords()
         record.mask = set.Mask(image->shown);
         filled.push_back(record);
       }
-    }
-  }
-  if (!planes.empty())
-  {
-    this->sectionBuffer = Send(this->device->GetState(), planes);
-    for (device::GlyphSetRecord& record : filled)
-    {
-      record.section += this->sectionBuffer.Address();
     }
   }
   this->recordBuffer = Send(this->device->GetState(), filled);

@@ -180,7 +180,6 @@ struct Scene::State
   Box bounds;                                  ///< of all visible sets, relative to origin
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
-  Buffer sectionBuffer;                         ///< the planes of all cuts
   std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
   Buffer topLevelAddresses;
   bool moves = false;                    ///< some visible set does
@@ -229,7 +228,7 @@ struct Scene::State
   void ListSets();
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
-  void FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const;
+  void FillSection(GlyphSet& set, device::GlyphSetRecord& record) const;
 };
 
 /// A buffer on the device with these values; `more` is usage besides that of a storage buffer.

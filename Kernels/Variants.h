@@ -81,6 +81,7 @@ const uint END_VALUES = 1u << 26;        // colors of ends are values with a tab
 const uint SIGN_COLOURS = 1u << 27;      // of polynomials
 const uint DIRECTION_COLOURS = 1u << 28; // of the direction from the center to the surface
 const uint SECTION = 1u << 29;           // a cut (Programs/section.glsl)
+const uint SECTION_MOVES = 1u << 30;     // glyphs take it along
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;

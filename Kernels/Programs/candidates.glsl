@@ -139,4 +139,39 @@ bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
   return met;
 }
 
+// The same of a glyph that is cut by itself: of the driver's BVH each, of the plugin's those that take their cut along.
+bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+{
+  bool single = rayQueries || Has(set.variants, SECTION_MOVES);
+  bool cuts = Has(set.variants, SECTION) && single && CutsGlyphs(set);
+  Span body = WholeRay();
+  if (cuts)
+  {
+    body = SectionSpan(set, ray, number, glyph);
+  }
+  bool met = false;
+  for (uint part = 0u; part < (cuts ? 2u : 1u) && !(any && met); ++part)
+  {
+    GlyphCrossing found = hit;
+    float start = tMin;
+    if (partsOfRay > 1u && single)
+    {
+      vec2 range = BeginPart(set, cuts, body, part, tMin, hit.t);
+      start = range.x;
+      found.t = range.y;
+    }
+    float end = found.t;
+    if (start <= end && MeetGlyph(record, set, ray, number, glyph, seed, start, any, gathers, found))
+    {
+      met = true;
+      if (!(layered && gathers) || found.t < end)
+      {
+        hit = found;
+      }
+    }
+  }
+  return met;
+}
+
 #endif

@@ -87,10 +87,10 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 }
 
 // Results of Estimate.glsl.
-int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
-  out float low, out float high)
+int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph, const float tMin,
+  const float tMax, out float low, out float high)
 {
-  if (IsLeftOut(set, glyph))
+  if (IsLeftOut(set, number, glyph))
   {
     low = tMin;
     high = tMax;
@@ -100,7 +100,9 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, co
   {
     return EstimateMesh(set, ray, glyph, tMin, tMax, low, high);
   }
-  return EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
+  int verdict = EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
+  // A glyph that takes its cut along may be cut off where it would be met.
+  return verdict == RTG_MET && Has(set.variants, SECTION_MOVES) ? RTG_UNKNOWN : verdict;
 }
 
 // A mesh is as large as its triangles are spread.

@@ -40,29 +40,41 @@ vec4 TurnBy(const vec3 rotation)
   return angle > 0.0 ? vec4(halfway * (turn.x / angle), turn.y) : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
+// How far a glyph has moved since time zero.
+vec3 Displacement(const GlyphSetRecord set, const uint primitive, const float time)
+{
+  vec3 meanVelocity = vec3(0.0);
+  if (Has(set.variants, ACCELERATIONS))
+  {
+    meanVelocity = (0.5 * time) * set.accelerations.at[InSet(set, ACCELERATIONS, primitive)];
+  }
+  if (Has(set.variants, VELOCITIES))
+  {
+    meanVelocity += set.velocities.at[InSet(set, VELOCITIES, primitive)];
+  }
+  return meanVelocity * time;
+}
+
+// Its rotation since then: a unit quaternion.
+vec4 TurnSince(const GlyphSetRecord set, const uint primitive, const float time)
+{
+  return TurnBy(time * set.angularVelocities.at[InSet(set, ANGULAR_VELOCITIES, primitive)]);
+}
+
 // Moves a glyph to where it is at that time.
 void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, const float time)
 {
   if (Has(set.variants, VELOCITIES | ACCELERATIONS))
   {
-    vec3 displacement = vec3(0.0);
-    if (Has(set.variants, ACCELERATIONS))
-    {
-      displacement = (0.5 * time) * set.accelerations.at[InSet(set, ACCELERATIONS, primitive)];
-    }
-    if (Has(set.variants, VELOCITIES))
-    {
-      displacement += set.velocities.at[InSet(set, VELOCITIES, primitive)];
-    }
     // The low part keeps the rounding of the new center.
-    DoubleWord3 centre = TwoSum(glyph.centre, displacement * time);
+    DoubleWord3 centre = TwoSum(glyph.centre, Displacement(set, primitive, time));
     glyph.centre = centre.hi;
     glyph.centreLow += centre.lo;
   }
   if (Has(set.variants, ANGULAR_VELOCITIES))
   {
     // First the glyph's own rotation b, then a.
-    vec4 a = TurnBy(time * set.angularVelocities.at[InSet(set, ANGULAR_VELOCITIES, primitive)]);
+    vec4 a = TurnSince(set, primitive, time);
     vec4 b = glyph.rotation;
     vec4 product = vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
     glyph.rotation = normalize(product);

@@ -71,29 +71,10 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       }
       Glyph glyph = FetchGlyph(source, primitive);
       float low, high, before = hit.t;
-      bool near = Estimate(set, ray, glyph, tMin, hit.t, low, high) != RTG_MISSED;
-      Span body = WholeRay();
-      if (partsOfRay > 1u && near)
+      if (Estimate(set, ray, primitive, glyph, tMin, hit.t, low, high) != RTG_MISSED &&
+        MeetParts(record, set, ray, primitive, glyph, seed, tMin, any, adds, hit))
       {
-        body = SectionSpan(set, ray);
-      }
-      for (uint part = 0u; part < partsOfRay && near && going; ++part)
-      {
-        GlyphCrossing found = hit;
-        vec2 range = vec2(tMin, hit.t);
-        if (partsOfRay > 1u)
-        {
-          range = BeginPart(set, body, part, tMin, hit.t);
-          found.t = range.y;
-        }
-        if (range.x <= range.y && MeetGlyph(record, set, ray, primitive, glyph, seed, range.x, any, adds, found))
-        {
-          going = !any;
-          if (partsOfRay == 1u || !(layered && adds) || found.t < range.y)
-          {
-            hit = found;
-          }
-        }
+        going = !any;
       }
       if (hit.t < before)
       {

@@ -1,5 +1,6 @@
 // Cuts: of a set with SECTION what lies in a convex body, or all but that, is not there. Of a ray one or two parts are
 // left. Where one begins at a plane of the body, a glyph that it begins in is closed by a face, or seen from inside.
+// With SECTION_MOVES each glyph has the body where its motion since time zero brings it.
 #ifndef RTG_SECTION
 #define RTG_SECTION
 
@@ -20,51 +21,85 @@ bool IsCap(const GlyphSetRecord set, const uint triangle)
   return Has(set.variants, SECTION) && triangle >= firstCap && triangle != nothing;
 }
 
-// The normal of one of the body's planes, out of it.
-vec3 SectionNormal(const GlyphSetRecord set, const uint plane)
-{
-  uint at = SECTION_NUMBERS * plane;
-  return vec3(set.section.at[at], set.section.at[at + 1u], set.section.at[at + 2u]);
-}
-
-DoubleWord SectionOffset(const GlyphSetRecord set, const uint plane)
-{
-  uint at = SECTION_NUMBERS * plane + 3u;
-  return DoubleWord(set.section.at[at], set.section.at[at + 1u]);
-}
-
 DoubleWord SumOf(const DoubleWord3 a)
 {
   return Add(Add(WordX(a), WordY(a)), WordZ(a));
 }
 
-// The cap's normal, out of what is left.
-vec3 CapNormal(const GlyphSetRecord set, const uint triangle)
+// A normal of the body, as a glyph has rotated it.
+vec3 TurnedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
 {
-  vec3 normal = SectionNormal(set, triangle - firstCap);
-  return set.sectionKeepsInside != 0u ? normal : -normal;
+  vec3 turned = normal;
+  if (Has(set.variants, SECTION_MOVES) && Has(set.variants, ANGULAR_VELOCITIES))
+  {
+    vec4 turn = TurnSince(set, number, TimeOf(set));
+    turned = Rotate(turn.xyz, turn.w, normal);
+  }
+  return turned;
 }
 
-// The ray inside the body.
-Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray)
+// The center of a glyph at rest with the body: of one that takes the body along, that at time zero.
+DoubleWord3 CentreAtBody(const GlyphSetRecord set, const uint number, const Glyph glyph)
 {
-  Span span = WholeRay();
-  for (uint i = 0u; i < set.sectionPlanes; ++i)
+  DoubleWord3 centre = DoubleWord3(glyph.centre, glyph.centreLow);
+  if (Has(set.variants, SECTION_MOVES) && Has(set.variants, VELOCITIES | ACCELERATIONS))
   {
-    vec3 normal = SectionNormal(set, i);
-    DoubleWord height =
-      Subtract(SumOf(Multiply(DoubleWord3(ray.origin, ray.originLow), normal)), SectionOffset(set, i));
-    DoubleWord slope = SumOf(TwoProduct(ray.direction, normal));
-    span = Intersection(span, Slab(height, slope, Word(-RTG_NEVER), Word(0.0), -1, int(i)));
+    centre = Add(centre, DoubleWord3(-Displacement(set, number, TimeOf(set)), vec3(0.0)));
+  }
+  return centre;
+}
+
+// The cap's normal, out of what is left.
+vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
+{
+  uint plane = triangle - firstCap;
+  vec3 ofSlab = plane < 2u ? set.sectionSlab0.normal : plane < 4u ? set.sectionSlab1.normal : set.sectionSlab2.normal;
+  vec3 normal = TurnedNormal(set, number, ofSlab);
+  return (plane % 2u == 1u) == (set.sectionKeepsInside != 0u) ? normal : -normal;
+}
+
+// The ray inside one of the body's slabs; with SECTION_MOVES inside the glyph's.
+Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  const SectionSlab slab, const int firstPlane)
+{
+  vec3 normal = TurnedNormal(set, number, slab.normal);
+  DoubleWord3 origin = DoubleWord3(ray.origin, ray.originLow);
+  DoubleWord height;
+  if (Has(set.variants, SECTION_MOVES))
+  {
+    // Above the plane through the center, and its height at rest
+    origin = Add(origin, DoubleWord3(-glyph.centre, -glyph.centreLow));
+    height = Add(SumOf(Multiply(origin, normal)), SumOf(Multiply(CentreAtBody(set, number, glyph), slab.normal)));
+  }
+  else
+  {
+    height = SumOf(Multiply(origin, normal));
+  }
+  DoubleWord lower = DoubleWord(slab.lower.x, slab.lower.y);
+  DoubleWord upper = DoubleWord(slab.upper.x, slab.upper.y);
+  return Slab(height, SumOf(TwoProduct(ray.direction, normal)), lower, upper, firstPlane, firstPlane + 1);
+}
+
+// The slabs lie in the record, one by one: CPU devices load them once for all lanes.
+Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph)
+{
+  Span span = SlabSpan(set, ray, number, glyph, set.sectionSlab0, 0);
+  if (set.sectionSlabs > 1u)
+  {
+    span = Intersection(span, SlabSpan(set, ray, number, glyph, set.sectionSlab1, 2));
+  }
+  if (set.sectionSlabs > 2u)
+  {
+    span = Intersection(span, SlabSpan(set, ray, number, glyph, set.sectionSlab2, 4));
   }
   return span;
 }
 
 // From where to where part 0 or 1 of the ray between tMin and tMax goes; nowhere when it ends before it begins. `body`:
-// of a set with SECTION.
-vec2 BeginPart(const GlyphSetRecord set, const Span body, const uint part, const float tMin, const float tMax)
+// of a set with SECTION. Unless `cuts`, part 0 is all of it.
+vec2 BeginPart(
+  const GlyphSetRecord set, const bool cuts, const Span body, const uint part, const float tMin, const float tMax)
 {
-  bool cuts = Has(set.variants, SECTION) && set.sectionFaces != SECTION_WHOLE;
   bool keeps = cuts && set.sectionKeepsInside != 0u;
   bool meets = cuts && !IsEmpty(body);
   // In the body, or behind it; else up to it.
@@ -81,6 +116,12 @@ vec2 BeginPart(const GlyphSetRecord set, const Span body, const uint part, const
   return nothingLeft ? vec2(1.0, 0.0) : vec2(cut ? start : tMin, ends ? min(tMax, end) : tMax);
 }
 
+// Whether the set's cut goes through glyphs.
+bool CutsGlyphs(const GlyphSetRecord set)
+{
+  return Has(set.variants, SECTION) && set.sectionFaces != SECTION_WHOLE;
+}
+
 // The number of a crossing on the whole ray, by which chance lets rays pass.
 uint CrossingNumber(const GlyphSetRecord set, const uint crossing)
 {
@@ -93,20 +134,24 @@ bool StartsAtCap(const GlyphSetRecord set, const float tMin)
   return Has(set.variants, SECTION) && capPlane != nothing && tMin == capStart;
 }
 
+bool IsBetween(const DoubleWord3 position, const SectionSlab slab)
+{
+  DoubleWord height = SumOf(Multiply(position, slab.normal));
+  return Subtract(height, DoubleWord(slab.lower.x, slab.lower.y)).hi >= 0.0 &&
+    Subtract(height, DoubleWord(slab.upper.x, slab.upper.y)).hi <= 0.0;
+}
+
 // Whether the glyph is not there as a whole.
-bool IsLeftOut(const GlyphSetRecord set, const Glyph glyph)
+bool IsLeftOut(const GlyphSetRecord set, const uint number, const Glyph glyph)
 {
   if (!Has(set.variants, SECTION) || set.sectionFaces != SECTION_WHOLE)
   {
     return false;
   }
-  bool inside = true;
-  for (uint i = 0u; i < set.sectionPlanes; ++i)
-  {
-    DoubleWord3 centre = DoubleWord3(glyph.centre, glyph.centreLow);
-    DoubleWord height = Subtract(SumOf(Multiply(centre, SectionNormal(set, i))), SectionOffset(set, i));
-    inside = inside && height.hi <= 0.0;
-  }
+  DoubleWord3 centre = CentreAtBody(set, number, glyph);
+  bool inside = IsBetween(centre, set.sectionSlab0);
+  inside = inside && (set.sectionSlabs < 2u || IsBetween(centre, set.sectionSlab1));
+  inside = inside && (set.sectionSlabs < 3u || IsBetween(centre, set.sectionSlab2));
   return inside != (set.sectionKeepsInside != 0u);
 }
 

@@ -35,7 +35,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
     hit.normal = normal;
     if (cap)
     {
-      hit.normal = CapNormal(set, triangle);
+      hit.normal = CapNormal(set, glyph, triangle);
     }
     hit.shadingNormal = hit.normal;
     // The shapes promise 1e-6 sizes (Shapes/README.md).

@@ -48,7 +48,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           ? set.tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + i)]
           : i;
         float low, high;
-        int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
+        int verdict = Estimate(set, ray, glyph, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         // An estimated glyph is met twice; a ray that passes by both misses it.
         bool passes =
           chance && verdict == RTG_MET && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
@@ -89,7 +89,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     }
     if (candidate != nothing)
     {
-      if (MeetGlyph(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
+      if (MeetParts(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
       {
         going = going && !any;
         DropHidden(position, hit.t);
@@ -123,11 +123,12 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
       vec2 range = vec2(tMin, hit.t);
       if (partsOfRay > 1u)
       {
-        if (turn % partsOfRay == 0u)
+        bool cuts = CutsGlyphs(set) && !Has(set.variants, SECTION_MOVES);
+        if (cuts && turn % partsOfRay == 0u)
         {
-          body = SectionSpan(set, ray);
+          body = SectionSpan(set, ray, 0u, SourceOf(set).alike);
         }
-        range = BeginPart(set, body, turn % partsOfRay, tMin, hit.t);
+        range = BeginPart(set, cuts, body, turn % partsOfRay, tMin, hit.t);
         found = GlyphCrossing(0u, nothing, nothing, range.y, vec3(0.0));
       }
       if (range.x <= range.y)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <sstream>
 
 namespace
@@ -15,20 +16,25 @@ glm::dvec3 Vector(const std::array<double, 3>& numbers)
   return { numbers[0], numbers[1], numbers[2] };
 }
 
-void Check(const char* name, const std::array<double, 3>& numbers, bool good, const char* remedy, std::string& problem)
+void Check(const char* name, std::span<const double> numbers, bool good, const char* remedy, std::string& problem)
 {
   if (!good || !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
   {
     std::ostringstream message;
-    message << "Ray Traced Glyphs: " << name << " is " << numbers[0] << ' ' << numbers[1] << ' ' << numbers[2]
-            << ", so nothing is cut; " << remedy << '.';
+    message << "Ray Traced Glyphs: " << name << " is ";
+    for (const double number : numbers)
+    {
+      message << number << ' ';
+    }
     problem = message.str();
+    problem.back() = ',';
+    problem += std::string(" so nothing is cut; ") + remedy + '.';
   }
 }
 }
 
 //----------------------------------------------------------------------------
-rtg::Section rtglyphs::RayTracedSection::Make(std::string& problem) const
+rtg::Section rtglyphs::RayTracedSection::Make(bool blurs, std::string& problem) const
 {
   rtg::Section section;
   if (this->Kind == Kinds::None)
@@ -36,6 +42,7 @@ rtg::Section rtglyphs::RayTracedSection::Make(std::string& problem) const
     return section;
   }
   section.keepsInside = this->Invert;
+  section.moves = this->Moves && blurs;
   const Faces faces = this->Face;
   section.faces = faces == Faces::ColoredCaps ? rtg::Section::Faces::Caps : static_cast<rtg::Section::Faces>(faces);
   if (faces == Faces::ColoredCaps)
@@ -47,7 +54,14 @@ rtg::Section rtglyphs::RayTracedSection::Make(std::string& problem) const
     const double length = glm::length(Vector(this->Normal));
     Check("SectionNormal", this->Normal, length > 0.0, "give it a length", problem);
     Check("SectionOrigin", this->Origin, true, "give it three numbers", problem);
-    section.planes.push_back({ Vector(this->Origin), Vector(this->Normal) / length });
+    Check("SectionThickness", { &this->Thickness, 1 }, this->Thickness >= 0.0, "give it a width, or 0 for one side",
+      problem);
+    const glm::dvec3 normal = Vector(this->Normal) / length, half = 0.5 * this->Thickness * normal;
+    section.planes.push_back({ Vector(this->Origin) + half, normal });
+    if (this->Thickness > 0.0)
+    {
+      section.planes.push_back({ Vector(this->Origin) - half, -normal });
+    }
   }
   else
   {
@@ -67,16 +81,15 @@ rtg::Section rtglyphs::RayTracedSection::Make(std::string& problem) const
       box->GetTransform()->GetInverse()->TransformPoint(&in.x, &out.x);
       return out;
     };
-    const glm::dvec3 middle = toWorld(glm::dvec3(0.5));
-    for (int side = 0; side < 6; ++side)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const int axis = side / 2;
-      glm::dvec3 at(0.5);
-      at[axis] = side % 2;
-      const glm::dvec3 point = toWorld(at);
+      glm::dvec3 lower(0.5), upper(0.5);
+      lower[axis] = 0.0;
+      upper[axis] = 1.0;
+      const glm::dvec3 first = toWorld(lower), last = toWorld(upper), normal = glm::normalize(last - first);
       if (this->Length[axis] != 0.0)
       {
-        section.planes.push_back({ point, glm::normalize(point - middle) });
+        section.planes.insert(section.planes.end(), { { first, -normal }, { last, normal } });
       }
     }
   }

@@ -94,12 +94,15 @@ public:
   ///@{
   /**
    * A cut: kinds and faces are those of RayTracedSection. Of a plane what lies on the side of its normal is cut off, of
-   * a box what is outside; not inverted the opposite. All in world coordinates.
+   * a box, or of the slab of that thickness about the plane, what is outside; not inverted the opposite. All in world
+   * coordinates. With `moves` glyphs take their cut along.
    */
   void SetSection(int kind) { this->Section.Kind = kind; }
   void SetSectionInvert(bool invert) { this->Section.Invert = invert; }
+  void SetSectionMoves(bool moves) { this->Section.Moves = moves; }
   void SetSectionOrigin(double x, double y, double z) { this->Section.Origin = { x, y, z }; }
   void SetSectionNormal(double x, double y, double z) { this->Section.Normal = { x, y, z }; }
+  void SetSectionThickness(double thickness) { this->Section.Thickness = thickness; }
   void SetSectionPosition(double x, double y, double z) { this->Section.Position = { x, y, z }; }
   void SetSectionRotation(double x, double y, double z) { this->Section.Rotation = { x, y, z }; }
   void SetSectionLength(double x, double y, double z) { this->Section.Length = { x, y, z }; }

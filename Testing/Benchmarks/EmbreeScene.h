@@ -169,6 +169,8 @@ private:
     glyph.fixedHeads = instances.arrow.fixedHeads;
     glyph.unitLength = instances.arrow.unitLength;
     glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
+    glyph.before = instances.before.empty() ? glm::vec4(0.0f) : instances.before[i];
+    glyph.after = instances.after.empty() ? glm::vec4(0.0f) : instances.after[i];
     return glyph;
   }
 

@@ -2,10 +2,11 @@
 // ones. Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
 //
 // Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
-// shading, depth and ids, the median of the repetitions, which are taken in turns over the scenes, and the cost beside
-// that of the first scene. The file has all turns. Where the program is built with Embree, also the processor seconds
-// of its rays alone, one by one and in packets of eight, for the scenes that are opaque and whole, in the same turns;
-// the program fails where their picture is another one. To compare two trees, run the program of each in turns.
+// shading, depth and ids, the median of the repetitions, which are taken in turns over the scenes, the cost beside that
+// of the first scene, and of a cut one beside the uncut one. The file has all turns. Where the program is built with
+// Embree, also the processor seconds of its rays alone, one by one and in packets of eight, for the scenes that are
+// opaque and whole, in the same turns; the program fails where their picture is another one. To compare two trees, run
+// the program of each in turns.
 #include "Crowds.h"
 #ifdef RTGLYPHS_EMBREE
 #include "EmbreeScene.h"
@@ -14,6 +15,8 @@
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +34,75 @@ namespace
 
 using benchmark::Crowd;
 
-constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000;
+constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000, curves = 400, pieces = 500;
+
+rtg::GlyphInstances Surface(rtg::TriangleMesh mesh)
+{
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(mesh));
+  instances.identifyTriangles = true;
+  instances.centres.emplace_back(0.0f);
+  return instances;
+}
+
+/// A closed ball of 80,000 triangles.
+rtg::GlyphInstances Globe()
+{
+  constexpr std::uint32_t around = 200, along = 201;
+  rtg::TriangleMesh mesh;
+  for (std::uint32_t j = 0; j < along; ++j)
+  {
+    for (std::uint32_t i = 0; i < around; ++i)
+    {
+      const float a = 6.2831853f * float(i) / around, b = 3.1415927f * float(j) / (along - 1);
+      mesh.positions.push_back(
+        0.45f * benchmark::crowdSide * glm::vec3(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)));
+      if (j + 1 < along)
+      {
+        const std::uint32_t first = j * around, next = (i + 1) % around;
+        mesh.triangles.emplace_back(first + i, first + next, first + around + i);
+        mesh.triangles.emplace_back(first + next, first + around + next, first + around + i);
+      }
+    }
+  }
+  return Surface(std::move(mesh));
+}
+
+/// Curves of round cones at random places, each a helix.
+rtg::GlyphInstances Tubes()
+{
+  const rtg::GlyphInstances starts = benchmark::MakeInstances({ "", rtg::Shape::Sphere, true }, curves);
+  constexpr float radius = 0.3f;
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::RoundCone;
+  for (std::size_t i = 0; i < curves; ++i)
+  {
+    const auto at = [&](int k)
+    {
+      const float angle = 0.05f * k;
+      return starts.centres[i] + 5.0f * glm::vec3(std::cos(angle), std::sin(angle), 0.2f * angle);
+    };
+    for (int k = 0; k < int(pieces); ++k)
+    {
+      const glm::vec3 way = at(k + 1) - at(k), middle = 0.5f * (at(k) + at(k + 1)), axis = glm::normalize(way);
+      const glm::quat turn = glm::normalize(glm::quat(1.0f + axis.x, 0.0f, -axis.z, axis.y));
+      const auto end = [&](int k) { return glm::vec4(glm::conjugate(turn) * (at(k) - middle), radius); };
+      instances.centres.push_back(middle);
+      instances.sizes3.emplace_back(glm::length(way), 2.0f * radius, 2.0f * radius);
+      instances.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
+      instances.before.push_back(k > 0 ? end(k - 1) : glm::vec4(0.0f));
+      instances.after.push_back(k + 1 < int(pieces) ? end(k + 2) : glm::vec4(0.0f));
+    }
+  }
+  return instances;
+}
 
 /// A smooth sheet through the cube, of 80,000 triangles.
 rtg::GlyphInstances Sheet()
 {
   constexpr std::uint32_t side = 201;
-  auto mesh = std::make_shared<rtg::TriangleMesh>();
+  rtg::TriangleMesh mesh;
   for (std::uint32_t j = 0; j < side; ++j)
   {
     for (std::uint32_t i = 0; i < side; ++i)
@@ -45,22 +110,17 @@ rtg::GlyphInstances Sheet()
       const glm::vec2 at = benchmark::crowdSide * (glm::vec2(i, j) / float(side - 1) - 0.5f);
       const glm::vec2 phase = 0.15f * at;
       const glm::vec2 slope(1.5f * std::cos(phase.x), -1.5f * std::sin(phase.y));
-      mesh->positions.emplace_back(at, 10.0f * (std::sin(phase.x) + std::cos(phase.y)));
-      mesh->normals.push_back(glm::normalize(glm::vec3(-slope, 1.0f)));
+      mesh.positions.emplace_back(at, 10.0f * (std::sin(phase.x) + std::cos(phase.y)));
+      mesh.normals.push_back(glm::normalize(glm::vec3(-slope, 1.0f)));
       if (i + 1 < side && j + 1 < side)
       {
         const std::uint32_t a = j * side + i;
-        mesh->triangles.emplace_back(a, a + 1, a + side);
-        mesh->triangles.emplace_back(a + 1, a + side + 1, a + side);
+        mesh.triangles.emplace_back(a, a + 1, a + side);
+        mesh.triangles.emplace_back(a + 1, a + side + 1, a + side);
       }
     }
   }
-  rtg::GlyphInstances instances;
-  instances.shape = rtg::Shape::Mesh;
-  instances.mesh = std::move(mesh);
-  instances.identifyTriangles = true;
-  instances.centres.emplace_back(0.0f);
-  return instances;
+  return Surface(std::move(mesh));
 }
 
 /// Copies of an octahedron.
@@ -115,8 +175,10 @@ rtg::Section Cut(bool box)
 class Subject
 {
 public:
-  Subject(std::string name, std::vector<Part> parts)
+  /// `uncut`: the same without its cut, or null.
+  Subject(std::string name, std::vector<Part> parts, const Subject* uncut)
     : name_(std::move(name))
+    , uncut_(uncut)
   {
     for (Part& part : parts)
     {
@@ -131,7 +193,6 @@ public:
 #endif
       this->scene_.SetInstances(set, std::move(part.instances));
       this->scene_.SetMaterial(set, material);
-      this->cut_ |= !part.section.planes.empty();
     }
     this->scene_.Commit();
 #ifdef RTGLYPHS_EMBREE
@@ -160,7 +221,7 @@ public:
       this->seconds_.push_back(benchmark::CpuSeconds() - start);
     }
 #ifdef RTGLYPHS_EMBREE
-    if (this->translucent_ || this->cut_)
+    if (this->translucent_ || this->uncut_)
     {
       return;
     }
@@ -185,6 +246,10 @@ public:
   const std::vector<double>& Seconds() const
   {
     return this->seconds_;
+  }
+  const Subject* Uncut() const
+  {
+    return this->uncut_;
   }
   // Embree's; none where it draws nothing.
   const std::vector<double>& Singles() const
@@ -220,12 +285,13 @@ private:
   benchmark::EmbreeScene embree_;
 #endif
   std::string name_;
+  const Subject* uncut_;
   std::shared_ptr<rtg::Device> device_ = rtg::Device::Shared();
   rtg::Scene scene_{ device_ };
   rtg::Tracer tracer_{ device_ };
   std::vector<double> seconds_, singles_, packets_;
   double differs_ = 0.0;
-  bool translucent_ = false, opaque_ = false, cut_ = false;
+  bool translucent_ = false, opaque_ = false;
 };
 
 } // namespace
@@ -241,21 +307,31 @@ try
   const Part packed{ Spheres(glyphs, 1.2f) };
 
   std::vector<std::unique_ptr<Subject>> subjects;
-  const auto add = [&](const char* name, std::vector<Part> parts)
-  { subjects.push_back(std::make_unique<Subject>(name, std::move(parts))); };
-  add("spheres, packed", { packed });
+  const auto add = [&](const std::string& name, std::vector<Part> parts, const Subject* uncut = nullptr)
+  {
+    subjects.push_back(std::make_unique<Subject>(name, std::move(parts), uncut));
+    return subjects.back().get();
+  };
+  // Also cut
+  const auto addCuts = [&](const std::string& name, const rtg::GlyphInstances& instances)
+  {
+    const Subject* uncut = add(name, { { instances } });
+    add(name + ", plane", { { instances, 1.0f, Cut(false) } }, uncut);
+    add(name + ", box", { { instances, 1.0f, Cut(true) } }, uncut);
+  };
+  addCuts("spheres, packed", packed.instances);
   add("spheres, packed, one far away", { { WithOutlier(packed.instances) } });
   add("spheres, dilute", { { Spheres(glyphs, 0.3f) } });
   add("spheres, surface", { packed, { Sheet() } });
   add("spheres, arrows, surface", { packed, crowd(arrows), { Sheet() } });
   add("spheres, spheres", { { Spheres(glyphs / 2, 1.0f) }, { Spheres(glyphs, 0.5f) } });
   add("surface", { { Sheet() } });
-  add("mesh glyphs", { { MeshGlyphs() } });
-  add("superquadrics", { crowd(random) });
-  add("spheres, packed, plane", { { packed.instances, 1.0f, Cut(false) } });
-  add("spheres, packed, box", { { packed.instances, 1.0f, Cut(true) } });
-  add("superquadrics, plane", { { crowd(random).instances, 1.0f, Cut(false) } });
-  add("superquadrics, box", { { crowd(random).instances, 1.0f, Cut(true) } });
+  addCuts("closed surface", Globe());
+  addCuts("mesh glyphs", MeshGlyphs());
+  addCuts("ellipsoids", crowd({ "", rtg::Shape::Sphere, true }).instances);
+  addCuts("arrows", crowd(arrows).instances);
+  addCuts("superquadrics", crowd(random).instances);
+  addCuts("tubes", Tubes());
   add("balls", { { Spheres(balls, 1.0f) } });
   add("balls, opacity 0.3", { { Spheres(balls, 1.0f), 0.3f } });
   add("balls, opacity 0.3, surface", { { Spheres(balls, 1.0f), 0.3f }, { Sheet() } });
@@ -266,16 +342,19 @@ try
       subject->Trace(pixels, i >= 0);
     }
   }
-  csv << "scene,CPU s,cost beside the first,Embree s,Embree packets s,pixels differ\n";
-  std::printf("%-30s %8s %8s %8s %8s %8s\n", "scene", "CPU s", "cost", "Embree", "packets", "differ");
+  csv << "scene,CPU s,cost beside the first,cost beside the uncut,Embree s,Embree packets s,pixels differ\n";
+  std::printf("%-30s %8s %8s %8s %8s %8s %8s\n", "scene", "CPU s", "cost", "cut", "Embree", "packets", "differ");
   bool same = true;
   for (const auto& subject : subjects)
   {
     const benchmark::Measured seconds(subject->Seconds()), singles(subject->Singles()), packets(subject->Packets());
     const benchmark::Measured cost(benchmark::Ratios(subject->Seconds(), subjects.front()->Seconds()));
-    std::printf("%-30s %8.3f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), seconds.Median(), cost.Median(),
-      singles.Median(), packets.Median(), subject->Differs());
-    csv << '"' << subject->Name() << "\"," << seconds << ',' << cost << ',' << singles << ',' << packets << ',';
+    const benchmark::Measured cut(
+      subject->Uncut() ? benchmark::Ratios(subject->Seconds(), subject->Uncut()->Seconds()) : std::vector<double>());
+    std::printf("%-30s %8.3f %8.2f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), seconds.Median(), cost.Median(),
+      cut.Median(), singles.Median(), packets.Median(), subject->Differs());
+    csv << '"' << subject->Name() << "\"," << seconds << ',' << cost << ',' << cut << ',' << singles << ',' << packets
+        << ',';
     if (!subject->Singles().empty())
     {
       csv << subject->Differs();

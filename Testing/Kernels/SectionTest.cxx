@@ -1,16 +1,12 @@
-// Cuts through glyphs, against constructive geometry: what the 113-bit reference says of a ray and a glyph, less what
-// is removed; and light inside what is opened, against closed forms.
+// Cuts through glyphs: caps, light inside what is opened, against closed forms, and what moves. SectionShapesTest has
+// the shapes.
 #include "BoxMesh.h"
-#include "CaseRays.h"
 #include "LightFixture.h"
-#include "Measure.h"
-#include "SubjectName.h"
+#include "Sections.h"
 
-#include "SceneState.h"
+#include <glm/gtc/quaternion.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <numbers>
 #include <optional>
 
@@ -30,253 +26,6 @@ using namespace light;
 using namespace rtg::testing;
 using rtg::Section;
 using rtg::Tracer;
-
-/// The planes of a box with that center and those half extents along a rotation's columns.
-std::vector<Section::Plane> BoxPlanes(const glm::dvec3& centre, const glm::dmat3& axes, const glm::dvec3& half)
-{
-  std::vector<Section::Plane> planes;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const double side : { -1.0, 1.0 })
-    {
-      planes.push_back({ centre + side * half[axis] * axes[axis], side * axes[axis] });
-    }
-  }
-  return planes;
-}
-
-rtg::Material CutBy(const Section& section, rtg::Material material = {})
-{
-  material.section = section;
-  return material;
-}
-
-struct Expected
-{
-  bool hit = false;
-  bool cap = false;
-  double t = 0.0;
-  glm::dvec3 normal{ 0.0 }; ///< of a cap
-  bool certain = true;      ///< nothing is decided by less than `tolerance`
-};
-
-/// What of the crossings of a line is left, and where the cut closes it. The ray begins at t = 0.
-Expected
-Cut(const std::vector<ReferenceCrossing>& crossings, const HardRay& ray, const Section& section, double tolerance)
-{
-  double in = -INFINITY, out = INFINITY, inBefore = -INFINITY, outBehind = INFINITY;
-  glm::dvec3 inNormal(0.0), outNormal(0.0);
-  for (const Section::Plane& plane : section.planes)
-  {
-    const glm::dvec3 normal(glm::vec3(glm::normalize(plane.normal)));
-    const double height = glm::dot(normal, ray.origin - plane.point);
-    const double slope = glm::dot(normal, glm::dvec3(ray.direction));
-    const double at = -height / slope;
-    if (slope < 0.0)
-    {
-      inBefore = std::max(inBefore, std::min(in, at));
-      inNormal = at > in ? normal : inNormal;
-      in = std::max(in, at);
-    }
-    if (slope > 0.0)
-    {
-      outBehind = std::min(outBehind, std::max(out, at));
-      outNormal = at < out ? normal : outNormal;
-      out = std::min(out, at);
-    }
-  }
-  Expected expected;
-  // Nor does the ray pass an edge of the body.
-  expected.certain = std::abs(in - out) > tolerance && std::abs(in) > tolerance && std::abs(out) > tolerance &&
-    !(in - inBefore <= tolerance) && !(outBehind - out <= tolerance);
-  struct Part
-  {
-    double begin, end;
-    bool cut;
-    glm::dvec3 normal;
-  };
-  std::vector<Part> parts;
-  if (section.keepsInside)
-  {
-    parts.push_back({ std::max(in, 0.0), out, in > 0.0, inNormal });
-  }
-  else if (in <= out)
-  {
-    parts.push_back({ 0.0, in, false, inNormal });
-    parts.push_back({ std::max(out, 0.0), INFINITY, out > 0.0, -outNormal });
-  }
-  else
-  {
-    parts.push_back({ 0.0, INFINITY, false, inNormal });
-  }
-  for (const ReferenceCrossing& crossing : crossings)
-  {
-    const double t = double(crossing.t);
-    expected.certain =
-      expected.certain && std::abs(t - in) > tolerance && std::abs(t - out) > tolerance && std::abs(t) > tolerance;
-  }
-  for (const Part& part : parts)
-  {
-    if (expected.hit || !(part.begin <= part.end))
-    {
-      continue;
-    }
-    const auto next = std::find_if(
-      crossings.begin(), crossings.end(), [&](const auto& crossing) { return double(crossing.t) >= part.begin; });
-    const bool inside = (next - crossings.begin()) % 2 != 0;
-    if (part.cut && inside && section.faces == Section::Faces::Caps)
-    {
-      expected.hit = expected.cap = true;
-      expected.t = part.begin;
-      expected.normal = part.normal;
-    }
-    else if (next != crossings.end() && double(next->t) <= part.end)
-    {
-      expected.hit = true;
-      expected.t = double(next->t);
-    }
-  }
-  return expected;
-}
-
-class SectionShapesTest : public ::testing::TestWithParam<Subject>
-{
-protected:
-  glm::dvec3 Vector()
-  {
-    return { this->uniform(this->engine), this->uniform(this->engine), this->uniform(this->engine) };
-  }
-
-  glm::dmat3 Axes()
-  {
-    const glm::dvec3 x = glm::normalize(this->Vector()), y = glm::normalize(glm::cross(x, this->Vector()));
-    return { x, y, glm::cross(x, y) };
-  }
-
-  // A plane, three planes, and boxes both ways through places inside a glyph of that size.
-  std::vector<Section> Sections(const std::vector<glm::dvec3>& inside, double size)
-  {
-    std::vector<Section> sections(6);
-    const auto near = [&] { return inside[this->engine() % inside.size()]; };
-    for (Section& section : sections)
-    {
-      section.planes = BoxPlanes(near(), this->Axes(), 0.25 * size * (glm::abs(this->Vector()) + 0.3));
-    }
-    sections[0].planes = { { near(), 3.0 * this->Vector() } };
-    sections[1].planes = { { near(), this->Vector() }, { near(), this->Vector() }, { near(), this->Vector() } };
-    sections[1].keepsInside = true;
-    sections[3].keepsInside = true;
-    sections[4].faces = Section::Faces::Open;
-    sections[5].faces = Section::Faces::Open;
-    sections[5].keepsInside = true;
-    return sections;
-  }
-
-  std::mt19937_64 engine{ 5 };
-  std::uniform_real_distribution<double> uniform{ -1.0, 1.0 };
-  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
-  rtg::Scene scene{ device };
-};
-
-TEST_P(SectionShapesTest, AreCutExactly)
-{
-  const HardCase hard = Cases(this->GetParam(), 2, 200).Case("turned");
-  if (hard.instances.shape == Shape::NestedSuperquadric && this->device->GetState().miscompilesTrees)
-  {
-    GTEST_SKIP() << "LLVM 21 compiles cuts of concave nested superquadrics wrongly";
-  }
-  std::size_t rays = 0, caps = 0, hits = 0, judged = 0;
-  for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)
-  {
-    const auto set = this->scene.Add();
-    rtg::GlyphInstances one = hard.instances;
-    const auto keep = [&](auto& values)
-    { values = values.empty() ? values : std::decay_t<decltype(values)>{ values[i] }; };
-    keep(one.centres);
-    keep(one.sizes1);
-    keep(one.sizes3);
-    keep(one.rotations);
-    keep(one.exponents3);
-    if (!hard.instances.polynomials.empty())
-    {
-      const std::size_t width = hard.instances.polynomials.width;
-      one.polynomials.values.assign(hard.instances.polynomials[i], hard.instances.polynomials[i] + width);
-    }
-    this->scene.SetInstances(set, one);
-    ReferenceGlyph reference(hard.instances, i);
-    const double size = reference.Size();
-    std::vector<HardRay> aimed;
-    std::vector<Tracer::Probe> probes;
-    std::vector<std::vector<ReferenceCrossing>> crossings;
-    std::vector<glm::dvec3> inside;
-    for (const HardRay& ray : hard.rays)
-    {
-      if (ray.glyph == i)
-      {
-        aimed.push_back(ray);
-        probes.push_back({ hard.instances.origin + ray.origin, ray.direction });
-        crossings.push_back(reference.Crossings(ray.origin, ray.direction));
-        if (crossings.back().size() > 1)
-        {
-          const Quad between = 0.5 * (crossings.back()[0].t + crossings.back()[1].t);
-          inside.push_back(ray.origin + double(between) * glm::dvec3(ray.direction));
-        }
-      }
-    }
-    ASSERT_FALSE(inside.empty());
-    for (Section& section : this->Sections(inside, size))
-    {
-      Section inWorld = section;
-      for (Section::Plane& plane : inWorld.planes)
-      {
-        plane.point += hard.instances.origin;
-      }
-      this->scene.SetMaterial(set, CutBy(inWorld));
-      this->scene.Commit();
-      const auto answers = SharedTracer().TraceProbes(this->scene, probes);
-      for (std::size_t k = 0; k < aimed.size(); ++k)
-      {
-        const HardRay& ray = aimed[k];
-        const double length = glm::length(glm::dvec3(ray.direction));
-        const double farthest = glm::length(ray.origin) / length;
-        const double tolerance = 2e-5 * size / length + 1e-6 * farthest;
-        const Expected expected = Cut(crossings[k], ray, section, tolerance);
-        const bool hit = std::isfinite(answers[k].t);
-        ++rays;
-        const bool same = hit == expected.hit && (!hit || std::abs(answers[k].t - expected.t) <= tolerance);
-        // Where the line passes near a silhouette it crosses another number of times.
-        const bool certain = expected.certain &&
-          (same ||
-            (reference.Crossings(ray.origin, ray.direction, 1.0 - 2e-5).size() == crossings[k].size() &&
-              reference.Crossings(ray.origin, ray.direction, 1.0 + 2e-5).size() == crossings[k].size()));
-        if (!certain)
-        {
-          continue;
-        }
-        ++judged;
-        hits += hit;
-        caps += expected.cap;
-        EXPECT_TRUE(same) << "ray " << k << " of glyph " << i << ": " << answers[k].t << " instead of "
-                          << (expected.hit ? expected.t : INFINITY) << (expected.cap ? ", a cap" : "");
-        if (same && expected.cap)
-        {
-          EXPECT_LT(glm::length(glm::dvec3(answers[k].normal) - expected.normal), 1e-6);
-          EXPECT_EQ(answers[k].glyphId, 0u);
-          EXPECT_EQ(answers[k].setId, set);
-        }
-      }
-    }
-    this->scene.Remove(set);
-  }
-  EXPECT_GT(40 * caps, hits);
-  EXPECT_GT(hits, 25u);
-  EXPECT_GT(judged, rays * 9 / 10);
-  std::cout << caps << " caps of " << hits << " hits of " << judged << " judged of " << rays << " rays\n";
-}
-
-INSTANTIATE_TEST_SUITE_P(Shapes, SectionShapesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
-INSTANTIATE_TEST_SUITE_P(Polynomials, SectionShapesTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
-INSTANTIATE_TEST_SUITE_P(Nested, SectionShapesTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
 class SectionTest : public rtg::testing::WithStructure<LightTest>
 {
@@ -375,8 +124,8 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
   section.planes[0].normal = glm::dvec3(0.0);
   EXPECT_NE(
     MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("normal of length 0.0"), std::string::npos);
-  section.planes.assign(7, FrontOff(0.0).planes[0]);
-  EXPECT_NE(MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("7 planes"), std::string::npos);
+  section.planes.assign(4, FrontOff(0.0).planes[0]);
+  EXPECT_NE(MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("4 slabs"), std::string::npos);
 }
 
 TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
@@ -449,23 +198,30 @@ TEST_P(SectionTest, CavitiesAreDarkAsTheirOpeningsSay)
   EXPECT_NEAR(this->ErrorOf(open).mean, 0.0, deviation);
 }
 
-// A ball of opacity a half with a slab out of its middle: two shells and a cap, whatever counts them.
+// A ball of opacity a half with a slab out of its middle: two shells and a cap, whatever counts them, also where
+// the slab moves with the ball.
 TEST_P(SectionTest, TranslucentGlyphsHaveCapsAsLayers)
 {
   rtg::Material half;
   half.opacity = 0.5f;
   this->settings.samples = 64;
   this->camera = this->LookFrom({ 0, 0, 5 }, { 0, 0, 0 }, 0.3);
-  for (const Shape shape : { Shape::Sphere, Shape::Mesh })
+  for (const auto& [shape, moves] :
+    { std::pair(Shape::Sphere, false), std::pair(Shape::Mesh, false), std::pair(Shape::Sphere, true) })
   {
     rtg::GlyphInstances instances;
     instances.shape = shape;
     instances.mesh = Share(BoxMesh());
     instances.centres = { glm::vec3(0.0f) };
+    if (moves)
+    {
+      instances.motion.velocities = { { 0.0f, 0.0f, 1.0f } };
+    }
     const auto set = this->scene.Add();
     this->scene.SetInstances(set, instances);
     Section slab;
     slab.planes = BoxPlanes({ 0.01, 0.02, 0.0 }, glm::dmat3(1.0), { 5, 5, 0.1 });
+    slab.moves = moves;
     for (const auto& [faces, layers] : { std::pair(Section::Faces::Caps, 3), std::pair(Section::Faces::Open, 2) })
     {
       slab.faces = faces;
@@ -490,31 +246,43 @@ TEST_P(SectionTest, TranslucentGlyphsHaveCapsAsLayers)
   }
 }
 
-// Glyphs pass the cut, which stands still.
-TEST_P(SectionTest, MovingGlyphsPassTheCut)
+// Glyphs pass a cut that stands still, and take another one along.
+TEST_P(SectionTest, MovingGlyphsPassTheCutOrTakeItAlong)
 {
-  rtg::GlyphInstances instances;
-  instances.centres = { glm::vec3(0.0f) };
-  instances.uniformSize = 1.0f;
-  instances.motion.velocities = { { 0.0f, 0.0f, 1.0f } };
-  instances.motion.shutterOpen = -1.0f;
-  instances.motion.shutterClose = 1.0f;
-  const auto set = this->scene.Add();
-  this->scene.SetInstances(set, instances);
-  this->scene.SetMaterial(set, CutBy(FrontOff(0.1)));
-  this->scene.Commit();
-  for (const float time : { 0.1f, 0.3f, 0.5f, 0.6f, 0.7f, 0.9f })
+  for (const Shape shape : { Shape::Sphere, Shape::Mesh })
   {
-    const double z = 2.0 * time - 1.0;
-    const auto hit = this->tracer.TraceProbes(this->scene, { { { 0, 0, 4 }, { 0, 0, -1 }, time } })[0];
-    if (z - 0.5 > 0.1)
+    rtg::GlyphInstances instances;
+    instances.shape = shape;
+    instances.mesh = Share(BoxMesh());
+    instances.centres = { glm::vec3(0.0f) };
+    instances.motion.velocities = { { 0.0f, 0.0f, 1.0f } };
+    instances.motion.shutterOpen = -1.0f;
+    instances.motion.shutterClose = 1.0f;
+    const auto set = this->scene.Add();
+    this->scene.SetInstances(set, instances);
+    Section section = FrontOff(0.1);
+    const auto height = [&](float time)
     {
-      EXPECT_FALSE(std::isfinite(hit.t));
-    }
-    else
+      this->scene.SetMaterial(set, CutBy(section));
+      this->scene.Commit();
+      return 4.0 - this->tracer.TraceProbes(this->scene, { { { 0.1, 0.03, 4 }, { 0, 0, -1 }, time } })[0].t;
+    };
+    const double top = shape == Shape::Sphere ? std::sqrt(0.25 - 0.01 - 0.0009) : 0.5;
+    for (const float time : { 0.1f, 0.3f, 0.5f, 0.6f, 0.7f, 0.9f })
     {
-      EXPECT_NEAR(4.0 - hit.t, std::min(z + 0.5, 0.1), 1e-6) << "time " << time;
+      const double z = 2.0 * time - 1.0;
+      for (const bool moves : { false, true })
+      {
+        section.moves = moves;
+        section.faces = Section::Faces::Caps;
+        const double cut = moves ? z + 0.1 : 0.1;
+        const double expected = z - top > cut ? -INFINITY : std::min(z + top, cut), found = height(time);
+        EXPECT_TRUE(found == expected || std::abs(found - expected) < 1e-6) << found << " at time " << time;
+        section.faces = Section::Faces::Whole;
+        EXPECT_EQ(std::isfinite(height(time)), moves || z < 0.1) << "time " << time;
+      }
     }
+    this->scene.Remove(set);
   }
 }
 

@@ -357,6 +357,10 @@ ROWS = [
     Row("SectionInvert", 0, area(DISC - 0.25), **BOX, SectionLength=[0.5, 0.5, 0.0]),
     Row("SectionOrigin", [0.25, 0.0, 0.0], area(DISC - SEGMENT), **PLANE),
     Row("SectionNormal", [0.0, 2.0, 0.0], moved(2.0 / (3.0 * numpy.pi), -2.0 / (3.0 * numpy.pi)), **PLANE),
+    Row("SectionThickness", 0.5, area(DISC - 2.0 * SEGMENT), **PLANE),
+    # At rest the plane touches the ball, which passes it.
+    Row("SectionMoves", 1, area(DISC / 4.0), kinds=[GLYPHS, TUBES], SectionOrigin=[-0.15, 0.0, 0.0], **BLUR, **PLANE),
+    Row("SectionMoves", 1, as_before, kinds=[SURFACE], SectionOrigin=[-0.15, 0.0, 0.0], **BLUR, **PLANE),
     Row("SectionPosition", [0.0, 0.05, -0.1], moved(0.1, 0.15), **{**BOX, "SectionPosition": [-0.1] * 3}, SectionLength=[0.2] * 3),
     Row("SectionRotation", [0.0, 0.0, 45.0], moved(-0.1, 0.1 * (numpy.sqrt(2.0) - 1.0)), **{**BOX, "SectionPosition": [-0.1] * 3}, SectionLength=[0.2] * 3),
     Row("SectionLength", [0.25, 0.5, 0.5], area(0.125), **BOX, **{"SectionLength": [0.5] * 3}),

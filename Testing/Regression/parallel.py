@@ -29,10 +29,10 @@ def look_at_cube(view):
 
 
 def structured(view):
-    """Spheres at the points of an image, whose pieces share the points between them."""
+    """Spheres at the points of an image, whose pieces share the points between them, and a cut through them."""
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
-    shown = session.glyphs(wavelet, view, "Sphere", Orient=0, ScaleFactor=0.9)
+    shown = session.glyphs(wavelet, view, "Sphere", Orient=0, ScaleFactor=0.9, Section="Plane", SectionOrigin=[0.0, 0.0, 2.2], SectionNormal=[0.2, 0.1, 1.0])
     pv.ColorBy(shown, ("POINTS", "RTData"))
     shown.SetScalarBarVisibility(view, False)
     look_at_cube(view)
@@ -103,12 +103,13 @@ def trails(view):
 
 
 def cluster(view):
-    """A valley of spheres, whose slopes are different ranks', and a surface through them."""
+    """A valley of spheres, whose slopes are different ranks', with a slit across, and a surface through them."""
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     contour = pv.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[200.0])
     kept = pv.Calculator(Input=wavelet, ResultArrayName="kept", Function="if(coordsY<1.5*abs(coordsZ)-3,1,0)")
-    shown = session.glyphs(kept, view, "Sphere", Orient=0, ScaleMode="Magnitude", SelectScaleArray="kept", ScaleFactor=0.9, samples=1)
+    shown = session.glyphs(kept, view, "Sphere", Orient=0, ScaleMode="Magnitude", SelectScaleArray="kept", ScaleFactor=0.9, samples=1,
+                           Section="Plane", SectionInvert=0, SectionThickness=0.4, SectionOrigin=[0.2, 0.0, 0.0])
     session.solid(shown, (0.9, 0.9, 0.9))
     surface = pv.Show(contour, view)
     surface.SetRepresentationType("Ray Traced Surface")

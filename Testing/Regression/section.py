@@ -83,6 +83,18 @@ def dragged(checks):
     checks.equal("what is built, and bounds, while a plane is dragged", found[1:], found[:1] * 4)
 
 
+def translucent(checks):
+    """In pictures without a background, a cap of half opacity counts as the glyph's shell does: before the far one there are both, or it is open."""
+    view = session.view(64, 64)
+    shown = session.glyphs(session.source(session.poly_data([[0.0, 0.0, 0.0]])), view, Opacity=0.5, Section="Plane", SectionNormal=[0.0, 0.0, 1.0])
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.0)
+    for faces, alpha in (("Caps", 0.75), ("Open", 0.5), ("Whole Glyphs", 0.75)):
+        shown.SectionCaps = faces
+        found = session.capture(view, "section-alpha", TransparentBackground=1)[..., 3]
+        checks.within("alpha in the middle, " + faces, found[32, 32] / 255.0, alpha - 0.005, alpha + 0.005)
+        checks.equal("alpha aside, " + faces, found[2, 2], 0)
+
+
 def picked_and_refused(checks):
     """A cap is picked as its glyph is, and a cut that is none has one message."""
     view = session.view(64, 64)
@@ -98,6 +110,8 @@ def picked_and_refused(checks):
     checks.one_message("a plane without a normal", session.messages(lambda: pv.Render(view)), "SectionNormal", "0 0 0", "give it a length")
     checks.no_message("the same again", session.messages(lambda: pv.Render(view)))
     checks.within("covered where nothing is cut", comparison.covered(session.capture(view, "section-none")).mean() / whole, 1.0, 1.1)
+    shown.SectionNormal, shown.SectionThickness = [0.0, 0.0, 1.0], -1.0
+    checks.one_message("a slab thinner than nothing", session.messages(lambda: pv.Render(view)), "SectionThickness", "-1", "0 for one side")
 
 
 def main():
@@ -108,6 +122,7 @@ def main():
     pictures(checks, "Arrow", [("Plane", True, True), ("Box", False, False)])
     pictures(checks, "Cone", [("Plane", True, True)])
     dragged(checks)
+    translucent(checks)
     picked_and_refused(checks)
     checks.report()
 

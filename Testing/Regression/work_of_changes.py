@@ -212,6 +212,8 @@ FIELDS = {
         "Kind": ({}, "Section", "Plane", "image"),
         "Face": [(PLANE, "SectionCaps", "Open", "image"), ({}, "SectionCaps", "Open", "nothing")],
         "Invert": [(PLANE, "SectionInvert", 0, "image"), ({}, "SectionInvert", 0, "nothing")],
+        "Moves": [({**PLANE, **MOTION}, "SectionMoves", 1, "image"), (PLANE, "SectionMoves", 1, "nothing")],
+        "Thickness": [(PLANE, "SectionThickness", 0.5, "image"), ({}, "SectionThickness", 0.5, "nothing")],
         "Origin": [(PLANE, "SectionOrigin", [0.1, 0.0, 0.0], "image"), ({}, "SectionOrigin", [0.1, 0.0, 0.0], "nothing")],
         "Normal": [(PLANE, "SectionNormal", [0.0, 1.0, 0.0], "image"), (PLANE, "SectionNormal", [2.0, 0.0, 0.0], "nothing")],
         "Position": [({"Section": "Box"}, "SectionPosition", [0.1, 0.0, 0.0], "image"), (PLANE, "SectionPosition", [0.1, 0.0, 0.0], "nothing")],
