@@ -155,7 +155,7 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
         found = true;
         nearest = s;
         triangle = i;
-        DropHidden(position, nearest);
+        CullBehind(position, nearest);
         going = !any;
       }
       ++i;
