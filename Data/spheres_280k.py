@@ -5,7 +5,7 @@ Usage: spheres_280k.py FILE [COUNT]
 
 FILE is legacy binary .vtk: points with the arrays radius (one value for all), velocity and id. The same numbers
 come out on every machine (PCG64, fixed seed). At the default count and the camera below, at 1200x1200, 73% of the
-pixels show a sphere; another COUNT keeps that share by keeping count * radius^2.
+pixels show a sphere; another COUNT keeps that fraction by keeping count * radius^2.
 """
 import os
 import sys

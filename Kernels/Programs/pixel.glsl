@@ -164,7 +164,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     setId = SetRecord(pixel.record).setId;
   }
-  // Earlier samples may have said already what is there.
+  // Earlier samples may have written already what is there.
   bool fresh = frame.firstSample == 0u || pixel.record != 0xffffffffu;
   frame.colour.at[at] = packedColour;
   if (fresh)

@@ -18,7 +18,7 @@
 #include "WordFunctions.glsl"
 
 #define RTG_NESTED_LEAST 1.0e-6 // exponent
-// Where 1 - z^q is less than what the logarithms know of it, it counts as outside: the end of the axis.
+// Where 1 - z^q is less than the error of the logarithms, it counts as outside: the end of the axis.
 #define RTG_NESTED_END (16.0 * RTG_ROUNDOFF * RTG_ROUNDOFF + 1.0e-22)
 #define RTG_LN2 0.6931471805599453
 #define RTG_LOG2_E 1.4426950408889634074
@@ -287,8 +287,8 @@ RTG_FN Window WindowOf(
   Window window;
   window.empty = false;
   window.unique = true;
-  // So short that nothing but one extremum is in it. A quotient counts by the root of its share in the sum of powers:
-  // where that is small, so is what bends f.
+  // So short that nothing but one extremum is in it. A quotient counts by the root of its fraction in the sum of
+  // powers: where that is small, so is what bends f.
   real2 change = abs(b.logs - a.logs);
   real2 bend = abs(b.falls - a.falls) / max(max(a.falls, b.falls), real2(real(1.0)));
   real2 smaller = max(a.logs, b.logs) - min(max(a.logs.x, a.logs.y), max(b.logs.x, b.logs.y));

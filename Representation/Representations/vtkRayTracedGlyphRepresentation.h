@@ -162,10 +162,10 @@ public:
   ///@{
   /**
    * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
-   * share of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
-   * superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1], default
-   * 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of tensors
-   * are colored by, and by its ends GlyphTensors::SIGN.
+   * fraction of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
+   * superquadrics (in [0, 10], default 3), the least thickness as a fraction of the longest axis (in [0.001, 1],
+   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of
+   * tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout)

@@ -215,7 +215,7 @@ void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* gathered, vtkD
 }
 
 //----------------------------------------------------------------------------
-// Whether the pipeline is to be asked for another step.
+// Whether the pipeline must be updated for another step.
 bool vtkRayTracedRepresentation::AddTrails(vtkDataObject* gathered, vtkDataObject* input, vtkInformation* from)
 {
   if (this->HasTrails())
@@ -721,7 +721,7 @@ void vtkRayTracedRepresentation::SetTrailSteps(int steps)
 }
 
 //----------------------------------------------------------------------------
-// The box of the data also tells where trails go on.
+// Trails, too, use the box of the data.
 void vtkRayTracedRepresentation::SetPeriodicBoundary(bool on)
 {
   if (std::exchange(this->Periodic.Boundary, on) != on && this->HasTrails())

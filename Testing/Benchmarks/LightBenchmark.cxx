@@ -246,7 +246,7 @@ Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, 
   return means;
 }
 
-// Processor seconds of a sample by each method. They are taken in turns, and of several turns the method's shares of
+// Processor seconds of a sample by each method. They are taken in turns, and of several turns the method's fractions of
 // all count, times the median of the whole: the machine's speed changes.
 std::vector<benchmark::Measured>
 SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
@@ -352,7 +352,7 @@ struct VarianceParts
 {
   double place = 0.0, direction = 0.0, both = 0.0;
   double adaptive = 0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
-  double covered = 0.0;  ///< share of the samples that hit something
+  double covered = 0.0;  ///< fraction of the samples that hit something
 
   double Total() const { return this->place + this->direction + this->both; }
 };

@@ -57,7 +57,7 @@ def grain_stress(view, data, _):
 
 
 def fibres(view, points, tensors, share, layout, spacing):
-    """Tensors of diffusion, where the share of fibres is large enough, by their principal direction."""
+    """Tensors of diffusion, where the fraction of fibres is large enough, by their principal direction."""
     inside = share > 0.5
     largest = numpy.quantile(norms(tensors[inside]), 0.9)
     show(source(points[inside], d=tensors[inside]), view, "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout=layout,

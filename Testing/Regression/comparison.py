@@ -28,7 +28,7 @@ def write_image(path, pixels):
 
 
 def difference(left, right):
-    """(share of pixels that differ by more than LEVELS, mean absolute difference, absolute differences)."""
+    """(fraction of pixels that differ by more than LEVELS, mean absolute difference, absolute differences)."""
     apart = numpy.abs(left.astype(int) - right.astype(int))
     return float((apart.max(axis=2) > LEVELS).mean()), float(apart.mean()), apart
 
@@ -66,7 +66,7 @@ def covered(pixels):
 def against_paraview(ours, theirs, name, silhouette=0.005, colour=2.0):
     """List of failures of ray-traced glyphs against ParaView's 3D Glyphs of the same scene.
 
-    silhouette: allowed share of the pixels covered in one picture only. colour: allowed mean absolute difference, in
+    silhouette: allowed fraction of the pixels covered in one picture only. colour: allowed mean absolute difference, in
     levels of 255, over the pixels covered in both. Keeps the difference (times 8) beside both pictures.
     """
     mask, their_mask = covered(ours), covered(theirs)

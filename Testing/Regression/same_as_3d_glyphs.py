@@ -28,7 +28,7 @@ RESOLUTION = {
 
 #: those tested where no shape is named
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow", "MeshArrow", "MeshCylinder")
-#: share of the pixels that one of two pictures covers alone, and levels of 255 in the mean: a fifth of what the smallest ball covers
+#: fraction of the pixels that one of two pictures covers alone, and levels of 255 in the mean: a fifth of what the smallest ball covers
 SILHOUETTE, COLOUR = 0.0003, 1.5
 COLORINGS = ("solid", "table")
 #: by name: the parallel scale
