@@ -38,7 +38,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
       hit.normal = CapNormal(set, triangle);
     }
     hit.shadingNormal = hit.normal;
-    // The shapes promise 1e-6 sizes (Shapes/README.md).
+    // The shapes' bound is 1e-6 sizes (Shapes/README.md).
     hit.error = leavesSurface ? 2e-6 * ExtentOf(set, found) : 0.0;
     hit.record = record;
     hit.glyph = set.firstGlyph + glyph;

@@ -144,7 +144,7 @@ def together(view, ranks, failures):
 
 
 def light(view, ranks, failures):
-    """What ParallelLight promises: bounded and unbounded occlusion, paths, shadows of lights."""
+    """ParallelLight: bounded and unbounded occlusion, paths, shadows of lights."""
     shown = cluster(view)
     arrived = {}
     # Rays start from places that differ in their last bits, or, with copies of everything, in none.
