@@ -135,8 +135,8 @@ public:
   ///@{
   /**
    * Whether arrows have heads of one size (0) or scaled ones (1, default), as vtkArrowSource's. Fixed heads are
-   * slightly rounded and have the source's proportions on an arrow of the reference magnitude; it is a high quantile of
-   * the scale array when not positive, the default.
+   * slightly rounded and have the source's proportions on an arrow of the reference magnitude: the 95th percentile of
+   * the scale array unless it is positive.
    */
   void SetArrowHeads(int heads) { this->FixedHeads = heads == 0; }
   void SetArrowReferenceMagnitude(double magnitude)
@@ -292,7 +292,7 @@ private:
   rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
   rtglyphs::GlyphMeshes Meshes;
-  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // what stands beside the glyphs, further forms of a table of meshes
+  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // what stands beside the glyphs, further meshes of a table
 };
 
 #endif
