@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a phantom of diffusion tensor imaging: a bundle of fibres along a helix in an isotropic surrounding.
+"""Writes a phantom of diffusion tensor imaging: a bundle of fibers along a helix in an isotropic surrounding.
 
     helix.py FILE.vtk [POINTS]
 
@@ -10,7 +10,7 @@ tan psi = p / 2 pi R. With the bundle's fraction w = 1 / (1 + exp((d - r) / s)),
 
     D = w (l t t^T + q (I - t t^T)) + (1 - w) m I,    l = 1.7, q = 0.2, m = 0.7 (1e-3 mm^2/s)
 
-so that the principal direction follows the helix, tensors are linear inside and balls outside. The numbers are typical of white and grey
+so that the principal direction follows the helix, tensors are linear inside and balls outside. The numbers are typical of white and gray
 matter (Pierpaoli, Jezzard, Basser, Barnett, Di Chiro: Diffusion tensor MR imaging of the human brain, Radiology 201, 1996); a helix
 as the phantom is Teem's idea (tend helix), the formulas are our own. Arrays: diffusion (xx yy zz xy yz xz), bundle (w).
 """

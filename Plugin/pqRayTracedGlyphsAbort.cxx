@@ -93,7 +93,7 @@ void pqRayTracedGlyphsAbort::renderStarted()
 }
 
 //----------------------------------------------------------------------------
-// Selecting and hovering render, too, without a StartEvent: their user cannot abort.
+// Selecting and hovering render, too, without a StartEvent: the user cannot abort them.
 void pqRayTracedGlyphsAbort::renderEnded()
 {
   this->SinceStart.invalidate();

@@ -19,7 +19,7 @@ MODES = ("Local", "Ambient Occlusion", "Path Tracing")
 
 
 def ball(data, folder, view):
-    """A grey ball."""
+    """A gray ball."""
     shown = pv.Show(pv.PointSource(NumberOfPoints=1), view)
     shown.SetRepresentationType(simulation.REPRESENTATION)
     shown.ScaleFactor = 1.0
