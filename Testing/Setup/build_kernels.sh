@@ -3,12 +3,12 @@
 # What is missing is installed with apt, as root or with sudo.
 # Usage: build_kernels.sh COMPILER [TEST...]     the named programs only, in build-COMPILER
 #   g++-10, g++-11, ...           g++-10 comes from Debian 11
-#   clang++-19                    with its libc++
+#   clang++-19                    with its libc++; needs SPIRV-Tools built with it, in a folder that CMAKE_PREFIX_PATH names
 #   x86_64-w64-mingw32-g++-posix  for Windows; programs run under wine, which hands Vulkan to this system's driver. Needs
-#                                 SPIRV-Tools built for Windows, in a folder that CMAKE_PREFIX_PATH names
+#                                 SPIRV-Tools in the same way
 #   aarch64-linux-gnu-g++         for aarch64; programs run under qemu with the driver, and are linked with the SPIRV-Tools,
 #                                 of a chroot of this system's release (README.md)
-# Example: build_kernels.sh clang++-19 TracerTest SelfCheck
+# Example: build_kernels.sh g++-10 TracerTest SelfCheck
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)
