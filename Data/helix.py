@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Writes a phantom of diffusion tensor imaging: a bundle of fibres along a helix in an isotropic surrounding.
+"""Writes a phantom of diffusion tensor imaging: a bundle of fibers along a helix in an isotropic surrounding.
 
     helix.py FILE.vtk [POINTS]
 
 POINTS (default 24) per side of a cube [-1, 1]^3. The helix has radius R = 0.6 about the z axis and rises by p = 0.9 a turn. At
 (rho, phi, z) its tangent is taken to be that of the helix at the same phi, t = (-sin phi, cos phi, p / 2 pi R) / |...|, and the
 distance to it that in the plane across: d^2 = (rho - R)^2 + (dz cos psi)^2, where dz is the height above the nearest turn and
-tan psi = p / 2 pi R. With the bundle's share w = 1 / (1 + exp((d - r) / s)), r = 0.18, s = 0.02, the tensor is
+tan psi = p / 2 pi R. With the bundle's fraction w = 1 / (1 + exp((d - r) / s)), r = 0.18, s = 0.02, the tensor is
 
     D = w (l t t^T + q (I - t t^T)) + (1 - w) m I,    l = 1.7, q = 0.2, m = 0.7 (1e-3 mm^2/s)
 
-so that the principal direction follows the helix, tensors are linear inside and balls outside. The numbers are typical of white and grey
+so that the principal direction follows the helix, tensors are linear inside and balls outside. The numbers are typical of white and gray
 matter (Pierpaoli, Jezzard, Basser, Barnett, Di Chiro: Diffusion tensor MR imaging of the human brain, Radiology 201, 1996); a helix
 as the phantom is Teem's idea (tend helix), the formulas are our own. Arrays: diffusion (xx yy zz xy yz xz), bundle (w).
 """
@@ -23,7 +23,7 @@ ALONG, ACROSS, AROUND = 1.7, 0.2, 0.7
 
 
 def tensor(x, y, z):
-    """(xx yy zz xy yz xz) and the bundle's share at a point."""
+    """(xx yy zz xy yz xz) and the bundle's fraction at a point."""
     rho, phi = math.hypot(x, y), math.atan2(y, x)
     slope = PITCH / (2.0 * math.pi * RADIUS)
     cosine = 1.0 / math.hypot(1.0, slope)

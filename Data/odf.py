@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes orientation distribution functions of two bundles of fibres that cross, as spherical harmonics.
+"""Writes orientation distribution functions of two bundles of fibers that cross, as spherical harmonics.
 
     odf.py FILE.vtk [SIDE]
 
@@ -57,7 +57,7 @@ def bundle_distribution(axes, directions):
 
 
 def field(side):
-    """Centres of voxels, (coefficients, shares)."""
+    """Centers of voxels, (coefficients, shares)."""
     layers = max(1, side // 4)
     z, y, x = numpy.meshgrid(numpy.arange(layers), numpy.arange(side), numpy.arange(side), indexing="ij")
     points = numpy.stack([x, y, z], axis=-1).reshape(-1, 3).astype(float)

@@ -20,7 +20,7 @@ ROUNDEST = 2.2                    # smaller ones have no such maximum inside: th
 
 
 def bounding_radius(half, exponents):
-    """Radius of a ball about the centre that holds the superquadric."""
+    """Radius of a ball about the center that holds the superquadric."""
     powers = [2.0 / max(e, ROUNDEST) for e in exponents]
 
     def shares(multiplier):
@@ -43,10 +43,10 @@ def unit_quaternion(generator):
 
 
 def pack(count, seed=1):
-    """Lists of (centre, radius) and of (exponents, lengths, quaternion)."""
+    """Lists of (center, radius) and of (exponents, lengths, quaternion)."""
     generator = random.Random(seed)
     radii = sorted((LARGEST * (SMALLEST / LARGEST) ** generator.random() for _ in range(count)), reverse=True)
-    cells = {}  # of side 2 LARGEST: what may touch lies in neighbouring ones
+    cells = {}  # of side 2 LARGEST: what may touch lies in neighboring ones
     side = 2.0 * LARGEST
     placed, forms = [], []
     for radius in radii:

@@ -5,7 +5,7 @@ Usage: spheres_280k.py FILE [COUNT]
 
 FILE is legacy binary .vtk: points with the arrays radius (one value for all), velocity and id. The same numbers
 come out on every machine (PCG64, fixed seed). At the default count and the camera below, at 1200x1200, 73% of the
-pixels show a sphere; another COUNT keeps that share by keeping count * radius^2.
+pixels show a sphere; another COUNT keeps that fraction by keeping count * radius^2.
 """
 import os
 import sys
@@ -19,7 +19,7 @@ COUNT = 280000
 SIDE = 100.0
 #: Solves mean over the pixels of 1 - exp(-density * pi * radius^2 * path in the box) = 0.73.
 RADIUS = 0.17769
-#: Spheres that nearly touch, as in a packing of particles: 0.4 times the mean distance of neighbours.
+#: Spheres that nearly touch, as in a packing of particles: 0.4 times the mean distance of neighbors.
 PACKED_RADIUS = 0.4 * SIDE / COUNT ** (1.0 / 3.0)
 #: The box's near face just fills a square view of ParaView's view angle of 30 degrees.
 CAMERA = {
@@ -36,7 +36,7 @@ def radius(count=COUNT):
 
 
 def spheres(count=COUNT):
-    """Centres in the box [0, SIDE]^3 and velocities of length near 1, single precision."""
+    """Centers in the box [0, SIDE]^3 and velocities of length near 1, single precision."""
     generator = numpy.random.Generator(numpy.random.PCG64(20190923))
     centres = generator.random((count, 3)) * SIDE
     velocities = generator.normal(size=(count, 3)) / 3.0**0.5

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths },
     this->stop_);
 
-  const bool develops = Develops(this->settings_);
+  const bool mapsTones = MapsTones(this->settings_);
   const float exposureFactor = std::exp2(this->settings_.exposure);
   const auto toneMapping = static_cast<std::uint32_t>(this->settings_.toneMapping);
   std::vector<std::uint32_t> smooth(this->means_.size(), 0);
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     {
       const glm::vec3 colour = glm::vec3(mean) / mean.a;
       smooth[i] = glm::packUnorm4x8(
-        glm::vec4(develops ? shading::Develop(colour, linear, exposureFactor, toneMapping) : colour, mean.a));
+        glm::vec4(mapsTones ? shading::ToneMap(colour, linear, exposureFactor, toneMapping) : colour, mean.a));
     }
   }
   this->shared_->denoiseSeconds += watch.Lap();

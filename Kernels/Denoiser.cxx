@@ -14,10 +14,10 @@ namespace rtg
 namespace
 {
 
-constexpr int levels = 5;          // steps of 1, 2, 4, 8 and 16 pixels: 63 pixels in all
-constexpr float depthSlack = 1.0f; // times what the surface's own slope explains
-constexpr float lightSlack = 4.0f; // standard deviations of the noise
-constexpr float darkest = 0.02f;   // color by which light is still divided
+constexpr int levels = 5;              // steps of 1, 2, 4, 8 and 16 pixels: 63 pixels in all
+constexpr float depthTolerance = 1.0f; // times what the surface's own slope explains
+constexpr float lightTolerance = 4.0f; // standard deviations of the noise
+constexpr float darkest = 0.02f;       // color by which light is still divided
 constexpr float distances[3][3] = { { 0.0f, 1.0f, 2.0f }, { 1.0f, 1.414f, 2.236f },
   { 2.0f, 2.236f, 2.828f } };                // of a tap so many pixels off in x and y
 constexpr float kernel[2] = { 0.5f, 0.25f }; // binomial; wider ones take thrice the time and gain little
@@ -99,8 +99,8 @@ public:
       return 0.0f;
     }
     const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8, c32 = c16 * c16;
-    const float slack = depthSlack * this->slopes_[a] * distance + 1e-4f * first.depth + 1e-30f;
-    return c32 * c32 * Falloff(std::abs(first.depth - second.depth) / slack + apart);
+    const float tolerance = depthTolerance * this->slopes_[a] * distance + 1e-4f * first.depth + 1e-30f;
+    return c32 * c32 * Falloff(std::abs(first.depth - second.depth) / tolerance + apart);
   }
 
   // The variance of the luminance around each pixel, over pixels alike.
@@ -214,7 +214,7 @@ private:
     const std::size_t at = this->At(x, y);
     const float luminance = Luminance(glm::vec3(lights[at]));
     const float perSlack =
-      1.0f / (lightSlack * (step == 1 ? this->Deviation(lights, x, y) : std::sqrt(lights[at].w)) + 1e-6f);
+      1.0f / (lightTolerance * (step == 1 ? this->Deviation(lights, x, y) : std::sqrt(lights[at].w)) + 1e-6f);
     glm::vec3 light(0.0f);
     float variance = 0.0f, weights = 0.0f;
     for (int dy = -1; dy <= 1; ++dy)

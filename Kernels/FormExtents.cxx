@@ -115,11 +115,11 @@ double FormMeter::Climb(const double* coefficients, glm::dvec3 n) const
     const glm::dvec3 axis = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(n, axis)), v = glm::cross(n, u);
     glm::dvec3 next = n;
-    for (const glm::dvec3& way : { u, v, u + v, u - v })
+    for (const glm::dvec3& tangent : { u, v, u + v, u - v })
     {
       for (const double side : { -step, step })
       {
-        const glm::dvec3 tried = glm::normalize(n + side * way);
+        const glm::dvec3 tried = glm::normalize(n + side * tangent);
         const double value = std::abs(this->Value(coefficients, tried));
         if (value > best)
         {
@@ -137,7 +137,7 @@ double FormMeter::Climb(const double* coefficients, glm::dvec3 n) const
 // A polynomial's bounds by the first grid.
 struct FormMeter::Samples
 {
-  double slack = 0.0; ///< a few roundings of sums; 0: there is nothing to measure
+  double rounding = 0.0; ///< a few roundings of sums; 0: there is nothing to measure
   std::vector<double> values;
   Sizes most{}, bounds{}; ///< of the values, and certain ones
   std::size_t top = 0;    ///< where |f| is largest
@@ -156,7 +156,7 @@ FormMeter::Samples FormMeter::Sample(const double* coefficients) const
     return samples;
   }
   const std::size_t count = this->directions_.size();
-  samples.slack = 1e-12 * scale * FormTerms(this->degree_);
+  samples.rounding = 1e-12 * scale * FormTerms(this->degree_);
   std::vector<double>& values = samples.values;
   values.resize(count, 0.0);
   for (int term = 0; term < FormTerms(this->degree_); ++term)
@@ -186,14 +186,14 @@ FormMeter::Samples FormMeter::Sample(const double* coefficients) const
 
 namespace
 {
-FormExtent ExtentOf(double radius, const Sizes& bounds, double slack)
+FormExtent ExtentOf(double radius, const Sizes& bounds, double rounding)
 {
   FormExtent extent;
   extent.radius = radius;
-  extent.bound = bounds[0] + slack;
+  extent.bound = bounds[0] + rounding;
   for (int axis = 0; axis < 3; ++axis)
   {
-    extent.reach[axis] = std::min(bounds[axis + 1] + slack, extent.bound);
+    extent.reach[axis] = std::min(bounds[axis + 1] + rounding, extent.bound);
   }
   // Denormal or infinite: nothing to divide by
   const bool usable = std::isnormal(extent.bound) && std::isfinite(extent.bound) && extent.radius > 0.0;
@@ -204,13 +204,13 @@ FormExtent ExtentOf(double radius, const Sizes& bounds, double slack)
 FormExtent FormMeter::MeasureRoughly(const double* coefficients) const
 {
   const Samples samples = this->Sample(coefficients);
-  return ExtentOf(samples.most[0], samples.bounds, samples.slack);
+  return ExtentOf(samples.most[0], samples.bounds, samples.rounding);
 }
 
 FormExtent FormMeter::Measure(const double* coefficients) const
 {
   const Samples samples = this->Sample(coefficients);
-  if (!(samples.slack > 0.0))
+  if (!(samples.rounding > 0.0))
   {
     return FormExtent();
   }
@@ -240,7 +240,7 @@ FormExtent FormMeter::Measure(const double* coefficients) const
       bounds[k] = std::min(bounds[k], fine[k] / this->fine_);
     }
   }
-  return ExtentOf(this->Climb(coefficients, top), bounds, samples.slack);
+  return ExtentOf(this->Climb(coefficients, top), bounds, samples.rounding);
 }
 
 void FormMeter::Store(const double* coefficients, const FormExtent& extent, float* values) const

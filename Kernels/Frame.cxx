@@ -25,7 +25,7 @@ std::uint32_t PlannedSamples(const TraceSettings& settings)
 }
 
 // Secondary rays per sample.
-std::uint32_t Branches(const TraceSettings& settings)
+std::uint32_t RaysPerSample(const TraceSettings& settings)
 {
   const auto rays = TraitsOf(settings).rays;
   return rays ? settings.*rays : 1;
@@ -38,7 +38,7 @@ std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
   {
     return device::LAYER_CAPACITY;
   }
-  const float count = std::log(device::LEAST_PASSING) / std::log(1.0f - std::min(record.opacity, 0.999f));
+  const float count = std::log(device::MIN_TRANSMITTANCE) / std::log(1.0f - std::min(record.opacity, 0.999f));
   return static_cast<std::uint32_t>(
     std::clamp(std::ceil(count + 0.01f), 1.0f, static_cast<float>(device::LAYER_CAPACITY)));
 }
@@ -151,7 +151,7 @@ void CheckSettings(const TraceSettings& settings)
   }
 }
 
-bool Develops(const TraceSettings& settings)
+bool MapsTones(const TraceSettings& settings)
 {
   return TraitsOf(settings).linear || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
 }
@@ -165,13 +165,13 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
   frame.lightFraction = settings.lightFraction;
   frame.albedoLimit = settings.albedoLimit;
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
-  frame.branches = Branches(settings);
+  frame.raysPerSample = RaysPerSample(settings);
   frame.groundNormal = settings.groundNormal;
   frame.groundHeight = static_cast<float>(settings.groundHeight - glm::dot(glm::dvec3(settings.groundNormal), origin));
   // The mean of 1 + s.d about a normal n, by the cosine, is 1 + 2/3 s.n.
   frame.groundSky = frame.environment * (1.0f + 2.0f / 3.0f * glm::dot(settings.skySlope, settings.groundNormal));
   frame.maximumBounces = settings.maximumBounces;
-  frame.develops = Develops(settings);
+  frame.mapsTones = MapsTones(settings);
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.toneMapping = static_cast<std::uint32_t>(settings.toneMapping);
 }
@@ -226,14 +226,14 @@ void FillScene(device::FrameRecord& frame, const Scene::State& scene)
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
 {
   const std::size_t cameraRays = std::size_t(1) << TraitsOf(settings).atOnce;
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * Branches(settings)));
+  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * RaysPerSample(settings)));
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
 
 std::uint32_t SamplesAtFirst(const TraceSettings& settings)
 {
   constexpr std::uint32_t cameraRays = 32; // of one thread
-  return std::max(1u, cameraRays / Branches(settings));
+  return std::max(1u, cameraRays / RaysPerSample(settings));
 }
 
 std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits)

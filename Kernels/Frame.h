@@ -15,7 +15,7 @@ namespace rtg
 void CheckSettings(const TraceSettings& settings);
 
 /// Whether tone mapping changes colors.
-bool Develops(const TraceSettings& settings);
+bool MapsTones(const TraceSettings& settings);
 
 /// A position as a sum of two floats.
 void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low);

@@ -123,8 +123,8 @@ DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const
   HostShapes::GlyphBounds(subject.instances.shape, glyph, lower, upper);
   // Of a glyph that is turned, all its axes go into each of the box's.
   const glm::vec3 reach = glm::max(glm::abs(lower), glm::abs(upper));
-  const glm::vec3 slack = roundings * (glyph.turned ? glm::vec3(std::max({ reach.x, reach.y, reach.z })) : reach);
-  return { glm::dvec3(lower - slack), glm::dvec3(upper + slack) };
+  const glm::vec3 padding = roundings * (glyph.turned ? glm::vec3(std::max({ reach.x, reach.y, reach.z })) : reach);
+  return { glm::dvec3(lower - padding), glm::dvec3(upper + padding) };
 }
 
 // The product of two quaternions (x, y, z, w): first b, then a.
@@ -160,8 +160,8 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
       glm::vec4(Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), glm::dvec4(still.rotation)));
     box.Include(StillBox(subject, turned, centre));
   }
-  const double way = radius * (0.5 * angle / pieces);
-  return { glm::max(box.lower - way, ball.lower), glm::min(box.upper + way, ball.upper) };
+  const double deviation = radius * (0.5 * angle / pieces);
+  return { glm::max(box.lower - deviation, ball.lower), glm::min(box.upper + deviation, ball.upper) };
 }
 
 DoubleBox StillBox(const Subject& subject, std::size_t i)

@@ -121,7 +121,7 @@ struct GlyphInstances
 
   /// Exponents of the shapes that have them (HasExponents): one vec3 a glyph, or empty
   /// (uniformExponents for all). 2 is round, 1 an octahedron, larger ones approach a box, smaller ones a star.
-  /// In [0.1, 100]; see Shapes/README.md for where accuracy is promised.
+  /// In [0.1, 100]; see Shapes/README.md for where the accuracy bounds hold.
   std::vector<glm::vec3> exponents3;
   glm::vec3 uniformExponents{ 2.0f };
 

@@ -178,7 +178,7 @@ const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSE
 // Layers of translucent surfaces that one traversal gathers at most, and the fraction of light below which what shines
 // through them is left out: half a level of a display's 255.
 const uint LAYER_CAPACITY = 24u;
-const float LEAST_PASSING = 1.0f / 512.0f;
+const float MIN_TRANSMITTANCE = 1.0f / 512.0f;
 
 // Where a slab begins that has one plane only, and what becomes of glyphs that a cut meets (rtg::Section::Faces).
 const float SECTION_UNBOUNDED = -1e30f;
@@ -260,7 +260,7 @@ struct FrameRecord
   vec3 groundNormal;  // unit
   float groundHeight; // along it, relative to the scene's origin
   vec3 groundSky;     // environment light on it, as that of the sky's mean radiance
-  uint branches;      // of a sample at its first hit: occlusion rays or paths
+  uint raysPerSample; // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
   // An environment image (Shading/Environment.glsl), when the program has one
   RTG_ADDRESS(Vec3Array) environmentTexels;
@@ -273,7 +273,7 @@ struct FrameRecord
   vec3 environmentRight;
   vec3 environmentUp;
   // Resolving
-  uint develops; // tone mapping changes colors
+  uint mapsTones; // tone mapping changes colors
   float exposureFactor;
   uint toneMapping; // rtg::ToneMapping
   // Data that all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.

@@ -72,9 +72,9 @@ DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyp
   {
     terms += glm::abs(glm::dvec3(motion.accelerations[glyph])) * (0.5 * time * time);
   }
-  const glm::dvec3 slack = std::ldexp(1.0, -21) * terms;
+  const glm::dvec3 padding = std::ldexp(1.0, -21) * terms;
   const DoubleBox range = RangeOfDisplacements(motion, glyph, first, last);
-  return { range.lower - slack, range.upper + slack };
+  return { range.lower - padding, range.upper + padding };
 }
 
 void CheckMotion(const GlyphMotion& motion, std::size_t count)

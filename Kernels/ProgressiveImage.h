@@ -27,9 +27,9 @@ struct ImageView
   bool operator==(const ImageView&) const = default;
 };
 
-/// `view` with what rounding alone tells from `kept` as there. A camera that is set anew for each frame may be rounded
-/// otherwise each time (two per cent of all view-up vectors are, which are normalized each time): its image would begin
-/// again for ever.
+/// `view`, but equal to `kept` where the two differ by rounding only. A camera that is set anew for each frame may be
+/// rounded differently each time (two per cent of all view-up vectors are, which are normalized each time), and its
+/// image would never finish.
 ImageView Settled(ImageView view, const ImageView& kept);
 
 enum class Denoising

@@ -50,9 +50,9 @@ TracerResources::UsedProgram& TracerResources::ProgramFor(const Specialization& 
   return used;
 }
 
-bool TracerResources::IsCompiled(UsedProgram& used, std::chrono::milliseconds patience)
+bool TracerResources::IsCompiled(UsedProgram& used, std::chrono::milliseconds limit)
 {
-  if (used.program->compiled.wait_for(patience) != std::future_status::ready)
+  if (used.program->compiled.wait_for(limit) != std::future_status::ready)
   {
     return false;
   }

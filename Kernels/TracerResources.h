@@ -36,7 +36,7 @@ public:
 
   /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the
   /// program is no more.
-  bool IsCompiled(UsedProgram& used, std::chrono::milliseconds patience);
+  bool IsCompiled(UsedProgram& used, std::chrono::milliseconds limit);
   void WaitFor(UsedProgram& used);
 
   /// Puts the environment image of path tracing, if the settings have one, on the device and into `frame`.

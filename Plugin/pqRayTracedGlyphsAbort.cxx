@@ -93,7 +93,7 @@ void pqRayTracedGlyphsAbort::renderStarted()
 }
 
 //----------------------------------------------------------------------------
-// What selects and hovers renders too, without a beginning: nobody listens to its user.
+// Selecting and hovering render, too, without a StartEvent: the user cannot abort them.
 void pqRayTracedGlyphsAbort::renderEnded()
 {
   this->SinceStart.invalidate();

@@ -189,18 +189,18 @@ vec4 ColourBetweenEnds(
   const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
 {
   vec3 position = FromCentre(ray, glyph, t) / max(glyph.size.x, 1e-30);
-  float way = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
+  float fraction = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
   uvec2 ends = set.endColours.at[InSetIfHit(set, END_COLOURS, number)];
   vec4 colour;
   if (Has(set.variants, END_VALUES))
   {
     vec2 values = uintBitsToFloat(ends);
-    float value = ValueBetween(min(values.x, values.y), mix(values.x, values.y, way));
+    float value = ValueBetween(min(values.x, values.y), mix(values.x, values.y, fraction));
     colour = TableColour(set.colourTable, 0u, set.colourTableSize, value);
   }
   else
   {
-    colour = mix(unpackUnorm4x8(ends.x), unpackUnorm4x8(ends.y), way);
+    colour = mix(unpackUnorm4x8(ends.x), unpackUnorm4x8(ends.y), fraction);
   }
   return colour * vec4(vec3(1.0), OpacityOf(set, number));
 }

@@ -28,7 +28,7 @@ void main()
     do
     {
       SurfaceHit hit = Trace(LayerQuery(layers), layered);
-      more = TakeLayer(layers, hit);
+      more = NextLayer(layers, hit);
       if (more)
       {
         float depth = hit.t + layers.ray.start;

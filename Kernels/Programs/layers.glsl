@@ -1,15 +1,15 @@
 // Translucent surfaces along a camera ray, front to back: what each lets through lights what the eye sees of the next.
 // That is how depth peeling composites them, and what path tracing, which stops at each at random, shows on average.
 
-// More are left out, and so is what shines through by less than LEAST_PASSING.
+// More are left out, and so is what lies behind a transmittance below MIN_TRANSMITTANCE.
 const uint maximumLayers = 256u;
 
 struct Layers
 {
   SceneRay ray;
-  float tMin;    // from where the next one is sought
-  float passing; // transmittance from there to the eye
-  uint count;    // that have been found
+  float tMin;          // from where the next one is sought
+  float transmittance; // from there to the eye
+  uint count;          // that have been found
 };
 
 Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
@@ -17,7 +17,7 @@ Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
   Layers layers;
   layers.ray = EnterScene(origin, direction);
   layers.tMin = max(frame.nearDepth - layers.ray.start, 0.0);
-  layers.passing = 1.0;
+  layers.transmittance = 1.0;
   layers.count = 0u;
   layerCount = layerLimit = layerNext = 0u;
   return layers;
@@ -31,7 +31,7 @@ Query LayerQuery(const Layers layers)
 }
 
 // Whether the answer is a layer that is shown.
-bool TakeLayer(inout Layers layers, const SurfaceHit hit)
+bool NextLayer(inout Layers layers, const SurfaceHit hit)
 {
   if (hit.t < 0.0)
   {
@@ -48,13 +48,13 @@ bool TakeLayer(inout Layers layers, const SurfaceHit hit)
 // Whether more of them would show.
 bool MoreLayers(const Layers layers)
 {
-  return layered && layers.count < maximumLayers && layers.passing >= LEAST_PASSING;
+  return layered && layers.count < maximumLayers && layers.transmittance >= MIN_TRANSMITTANCE;
 }
 
 // How much the layer weighs in the pixel.
 float WeightOfLayer(inout Layers layers, const SurfaceHit hit)
 {
-  float weight = layers.passing * hit.colour.a;
-  layers.passing -= weight;
+  float weight = layers.transmittance * hit.colour.a;
+  layers.transmittance -= weight;
   return weight;
 }

@@ -155,7 +155,7 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
         found = true;
         nearest = s;
         triangle = i;
-        DropHidden(position, nearest);
+        CullBehind(position, nearest);
         going = !any;
       }
       ++i;
@@ -172,7 +172,7 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
   return found;
 }
 
-// Says no more than that the ray passes the ball round the mesh.
+// Proves only that the ray misses the ball round the mesh.
 int EstimateMesh(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   out float low, out float high)
 {

@@ -34,7 +34,7 @@ struct Asking
   vec3 toViewer;
   float power;
   // The direction to a point of it.
-  vec3 aim;
+  vec3 toLight;
   float distance;
 };
 
@@ -49,7 +49,7 @@ void NextLight(inout Asking asking, const vec2 u)
     found = light.casts != 0u && at.attenuation * dot(asking.normal, -at.direction) > 0.0;
     if (found)
     {
-      asking.aim = AimAtLight(light, at, u, asking.distance);
+      asking.toLight = SampleLight(light, at, u, asking.distance);
     }
     else
     {
@@ -70,8 +70,8 @@ void AddAskedLight(inout Asking asking)
 // that all layers together are no noisier than one that is opaque.
 uint RaysOfWeight(const float weight)
 {
-  uint wanted = max(uint(ceil(weight * float(frame.branches))), 1u);
-  return min(wanted > 1u ? 2u << findMSB(wanted - 1u) : 1u, frame.branches);
+  uint wanted = max(uint(ceil(weight * float(frame.raysPerSample))), 1u);
+  return min(wanted > 1u ? 2u << findMSB(wanted - 1u) : 1u, frame.raysPerSample);
 }
 
 void main()
@@ -112,7 +112,7 @@ void main()
     bool asksSky = !asksLight && left > 0u;
     if (asksLight)
     {
-      query = ShadowQuery(start, OutOfSurface(hit, asking.aim), asking.distance,
+      query = ShadowQuery(start, OutOfSurface(hit, asking.toLight), asking.distance,
         SeedOf(number, eventLight + maximumLayers * asking.light + layers.count));
     }
     else if (asksSky)
@@ -160,7 +160,7 @@ void main()
         colour += reflected * (arrived / float(rays));
       }
     }
-    else if (TakeLayer(layers, found))
+    else if (NextLayer(layers, found))
     {
       hit = found;
       vec3 direction = layers.ray.direction;
@@ -235,7 +235,7 @@ void main()
         missing = shadows ? all : vec3(0.0);
         all += sky ? (1.0 - frame.lightFraction) * frame.groundSky : all * (1.0 / groundLights - 1.0);
         reflected = arrived = vec3(0.0);
-        rays = frame.branches;
+        rays = frame.raysPerSample;
         left = sky ? rays : 0u;
       }
     }
@@ -244,7 +244,7 @@ void main()
     {
       if (asking.light < frame.lightCount)
       {
-        NextLight(asking, SamplePair(number, PairOf(layers.count, pairAim)));
+        NextLight(asking, SamplePair(number, PairOf(layers.count, pairToLight)));
       }
       if (adds && asking.light == frame.lightCount)
       {
@@ -264,7 +264,7 @@ void main()
     {
       if (onGround)
       {
-        weight = layers.passing * MissingShare(missing, all);
+        weight = layers.transmittance * MissingShare(missing, all);
         onGround = false;
       }
       AddToPixel(pixel, weight * colour, weight);

@@ -123,7 +123,7 @@ bool Survives(const SampleNumber number, const uint bounce, const Surface surfac
 // From an unoccluded direction without a sampled light.
 vec3 LightFrom(const vec3 direction)
 {
-  return environmentImage ? EnvironmentBelow(direction) : SkyRadiance(direction);
+  return environmentImage ? ClampedEnvironment(direction) : SkyRadiance(direction);
 }
 
 // Unoccluded light on the ground.
@@ -168,13 +168,13 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
     vec2 place = vec2(0.0);
     if (incidence.spread > 0.0)
     {
-      place = SamplePair(number, PairOf(bounce, pairAim));
+      place = SamplePair(number, PairOf(bounce, pairToLight));
     }
-    vec3 aim = AimAtLight(light, incidence, place, distance);
-    vec3 to = vec3(dot(aim, x), dot(aim, y), dot(aim, normal));
+    vec3 toLight = SampleLight(light, incidence, place, distance);
+    vec3 to = vec3(dot(toLight, x), dot(toLight, y), dot(toLight, normal));
     if (incidence.attenuation > 0.0 && to.z > 0.0)
     {
-      direct.direction = aim;
+      direct.direction = toLight;
       direct.distance = distance;
       direct.seed = SeedOf(number, 2u * bounce + 1u);
       // vtkLight's colors are what a white surface facing the light shows, hence pi.
@@ -192,14 +192,14 @@ DirectLight FromEnvironment(const bool onGround, const Surface surface, const ve
   DirectLight direct = NoLight();
   if (environmentImage && frame.environmentCellColumns > 0u)
   {
-    vec3 aim;
-    vec3 light = AimAtEnvironment(
-      SamplePair(number, PairOf(bounce, pairAim)), SamplePair(number, PairOf(bounce, pairAim) + 1u), aim);
-    vec3 to = vec3(dot(aim, x), dot(aim, y), dot(aim, normal));
+    vec3 toLight;
+    vec3 light = SampleEnvironment(
+      SamplePair(number, PairOf(bounce, pairToLight)), SamplePair(number, PairOf(bounce, pairToLight) + 1u), toLight);
+    vec3 to = vec3(dot(toLight, x), dot(toLight, y), dot(toLight, normal));
     if (to.z > 0.0 && light.x + light.y + light.z > 0.0)
     {
       direct = DirectLight(
-        EvaluateAt(onGround, surface, from, to, u) * light, aim, 1e38, SeedOf(number, eventEnvironment + bounce));
+        EvaluateAt(onGround, surface, from, to, u) * light, toLight, 1e38, SeedOf(number, eventEnvironment + bounce));
     }
   }
   return direct;
@@ -317,7 +317,7 @@ void main()
     if (onward && !onGround)
     {
       // Once for all paths of the sample.
-      radiance += throughput * EmissionOfHit(hit) * (camera ? float(frame.branches) : 1.0);
+      radiance += throughput * EmissionOfHit(hit) * (camera ? float(frame.raysPerSample) : 1.0);
       onward = bounce < frame.maximumBounces && SetRecord(hit.record).lighting != 0u;
     }
     if (onward && onGround)
@@ -326,7 +326,7 @@ void main()
       first = hit;
       origin = start = LeaveGround(ray, hit);
       firstDirection = direction;
-      number.index = s * frame.branches;
+      number.index = s * frame.raysPerSample;
     }
     else if (onward)
     {
@@ -342,15 +342,15 @@ void main()
         first = hit;
         start = origin;
         firstDirection = direction;
-        number.index = s * frame.branches;
+        number.index = s * frame.raysPerSample;
       }
     }
-    else if (!camera && path + 1u < frame.branches)
+    else if (!camera && path + 1u < frame.raysPerSample)
     {
       // The sample's next path.
       ++path;
       bounce = 0u;
-      number.index = s * frame.branches + path;
+      number.index = s * frame.raysPerSample + path;
       throughput = vec3(1.0);
       hit = first;
       origin = start;
@@ -370,12 +370,12 @@ void main()
     {
       if (onGround)
       {
-        AddToPixel(pixel, vec3(0.0), MissingShare(missing / float(frame.branches), all));
+        AddToPixel(pixel, vec3(0.0), MissingShare(missing / float(frame.raysPerSample), all));
         onGround = false;
       }
       else
       {
-        AddToPixel(pixel, radiance / float(frame.branches), 0.0);
+        AddToPixel(pixel, radiance / float(frame.raysPerSample), 0.0);
       }
       bounce = 0u;
       ++s;

@@ -150,7 +150,8 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     float samples = float(frame.firstSample + frame.samples);
     vec3 mean = pixel.colour.hi / pixel.opacity.hi;
-    vec3 shown = linear || frame.develops != 0u ? Develop(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
+    vec3 shown =
+      linear || frame.mapsTones != 0u ? ToneMap(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
     packedColour = packUnorm4x8(vec4(shown, pixel.opacity.hi / samples));
   }
   float windowDepth = pixel.opacity.hi > 0.0 ? pixel.behind : 1.0;
@@ -163,7 +164,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     setId = SetRecord(pixel.record).setId;
   }
-  // Earlier samples may have said already what is there.
+  // Earlier samples may have written already what is there.
   bool fresh = frame.firstSample == 0u || pixel.record != 0xffffffffu;
   frame.colour.at[at] = packedColour;
   if (fresh)

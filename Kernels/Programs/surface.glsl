@@ -38,7 +38,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
       hit.normal = CapNormal(set, glyph, triangle);
     }
     hit.shadingNormal = hit.normal;
-    // The shapes promise 1e-6 sizes (Shapes/README.md).
+    // The shapes' bound is 1e-6 sizes (Shapes/README.md).
     hit.error = leavesSurface ? 2e-6 * ExtentOf(set, found) : 0.0;
     hit.record = record;
     hit.glyph = set.firstGlyph + glyph;
@@ -75,8 +75,8 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   if (Has(set.variants, DIRECTION_COLOURS) && LeavesColours(set, hit.colour))
   {
     // In the world: a glyph that is turned has other colors.
-    vec3 way = abs(RotateToWorld(found, FromCentre(ray, found, t)));
-    hit.colour.rgb = way / max(length(way), 1e-30);
+    vec3 axes = abs(RotateToWorld(found, FromCentre(ray, found, t)));
+    hit.colour.rgb = axes / max(length(axes), 1e-30);
   }
   hit.coloured = set.coloured != 0u;
   if (cap && set.sectionColours != 0u)

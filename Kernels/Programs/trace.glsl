@@ -7,7 +7,7 @@
 
 // A ray ready to be traced. Floats near the scene are small numbers, and so are the errors of the traversal's box
 // tests: the origin is moved to where the ray enters the scene's bounds, exactly, and t counts from there. A place on
-// the ray is (ray, t): t is never added to `start` but to tell the depth, because the sum would be rounded to what the
+// the ray is (ray, t): t is never added to `start` but for the depth, because the sum would be rounded to what the
 // distance of the eye leaves of it.
 struct SceneRay
 {

@@ -51,15 +51,15 @@ uvec2 LeafRange(const TreePosition position, const uint levels, uint64_t count, 
 }
 
 // The ray prepared for boxes. Rounding moves the parameters t at which it meets their planes: by 2^-20 of the distance
-// to the node, and by what it has left of the ray's origin (`slack`). A ray keeps that clear of planes itself, so that
-// no glyph far away makes the boxes of others wider (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013); what the planes
-// lie apart within a node adds to it, its boxes allow for (GlyphTree.cxx).
+// to the node, and by what it has left of the ray's origin (`tolerance`). A ray keeps that clear of planes itself, so
+// that no glyph far away makes the boxes of others wider (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013); what the
+// planes lie apart within a node adds to it, its boxes allow for (GlyphTree.cxx).
 struct BoxRay
 {
   vec3 origin;
-  vec3 inverse; // of the direction
-  vec3 slack;   // of t, >= 0
-  uint signs;   // bit i: component i of the direction is negative
+  vec3 inverse;   // of the direction
+  vec3 tolerance; // of t, >= 0
+  uint signs;     // bit i: component i of the direction is negative
 };
 
 // `rounded`: as large as the numbers whose rounding the origin has.
@@ -75,7 +75,7 @@ BoxRay MakeBoxRay(const vec3 origin, const vec3 rounded, const vec3 direction)
   BoxRay ray;
   ray.origin = origin;
   ray.inverse = 1.0 / safe;
-  ray.slack = 2.384185791015625e-7 * rounded * abs(ray.inverse);
+  ray.tolerance = 2.384185791015625e-7 * rounded * abs(ray.inverse);
   ray.signs = (safe.x < 0.0 ? 1u : 0u) | (safe.y < 0.0 ? 2u : 0u) | (safe.z < 0.0 ? 4u : 0u);
   return ray;
 }
@@ -134,8 +134,8 @@ void IntersectNode(const TreeNodes nodes, const uint index, const uint children,
                 uintBitsToFloat((exponents & 0xff0000u) << 7)) *
     ray.inverse;
   vec3 offset = (origin - ray.origin) * ray.inverse;
-  vec3 slack = abs(offset) * 9.5367431640625e-7 + ray.slack;
-  vec3 toNear = offset - slack, toFar = offset + slack;
+  vec3 tolerance = abs(offset) * 9.5367431640625e-7 + ray.tolerance;
+  vec3 toNear = offset - tolerance, toFar = offset + tolerance;
 
   vec4 near0 = Greater(PlaneParameters(nearX.x, step.x, toNear.x),
     Greater(
@@ -192,8 +192,8 @@ uint HiddenLevels(const vec4 behind, const float nearest)
     (behind.z > nearest ? 0xff0000u : 0u) | (behind.w > nearest ? 0xff000000u : 0u);
 }
 
-// Forgets pending children behind a new nearest hit, which would be found to be so one by one.
-void DropHidden(inout TreePosition position, const float nearest)
+// Culls pending children whose entry distance is behind a new nearest hit.
+void CullBehind(inout TreePosition position, const float nearest)
 {
   if (dropsHidden)
   {

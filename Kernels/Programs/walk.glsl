@@ -64,7 +64,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           surely = low;
           hit.t = high;
           going = !any;
-          DropHidden(position, hit.t);
+          CullBehind(position, hit.t);
         }
         else if (verdict != RTG_MISSED)
         {
@@ -92,7 +92,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
       if (MeetParts(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
       {
         going = going && !any;
-        DropHidden(position, hit.t);
+        CullBehind(position, hit.t);
       }
       surely = hit.t;
       estimated = false;

@@ -22,13 +22,13 @@ vec3 EnvironmentSeen(const vec3 direction)
 }
 
 // Radiance of a scattered ray, times the environment's color and strength.
-vec3 EnvironmentBelow(const vec3 direction)
+vec3 ClampedEnvironment(const vec3 direction)
 {
   return frame.environment * min(EnvironmentSeen(direction), vec3(frame.environmentThreshold));
 }
 
 // A direction towards what exceeds the threshold, and that radiance over the density of the direction.
-vec3 AimAtEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
+vec3 SampleEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
 {
   uint count = frame.environmentCellColumns * frame.environmentCellRows;
   uint cell = min(uint(pick.x * float(count)), count - 1u);

@@ -34,9 +34,9 @@ Incidence ArriveAt(const LightRecord light, const vec3 position)
   at.spread = light.spread;
   if (light.kind == 2u)
   {
-    vec3 way = position - light.position;
-    at.distance = length(way);
-    at.direction = way / at.distance;
+    vec3 path = position - light.position;
+    at.distance = length(path);
+    at.direction = path / at.distance;
     vec3 a = light.attenuation;
     at.attenuation = 1.0 / (a.x + at.distance * (a.y + at.distance * a.z));
     float cosCone = light.cosCone;
@@ -54,21 +54,22 @@ Incidence ArriveAt(const LightRecord light, const vec3 position)
 }
 
 // The direction to a place of the light, chosen evenly by solid angle, and how far it is.
-vec3 AimAtLight(const LightRecord light, const Incidence at, const vec2 u, out float distance)
+vec3 SampleLight(const LightRecord light, const Incidence at, const vec2 u, out float distance)
 {
-  vec3 aim = -at.direction;
+  vec3 toLight = -at.direction;
   distance = at.distance;
   if (at.spread > 0.0)
   {
-    vec3 middle = aim;
-    aim = ConeDirection(u, middle, at.spread);
+    vec3 middle = toLight;
+    toLight = ConeDirection(u, middle, at.spread);
     if (light.kind == 2u)
     {
-      vec3 off = at.distance * (middle - dot(aim, middle) * aim);
-      distance = max(at.distance * dot(aim, middle) - sqrt(max(light.radius * light.radius - dot(off, off), 0.0)), 0.0);
+      vec3 off = at.distance * (middle - dot(toLight, middle) * toLight);
+      distance =
+        max(at.distance * dot(toLight, middle) - sqrt(max(light.radius * light.radius - dot(off, off), 0.0)), 0.0);
     }
   }
-  return aim;
+  return toLight;
 }
 
 #endif

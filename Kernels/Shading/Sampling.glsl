@@ -24,7 +24,8 @@ const uint pairFacet = 2u;
 const uint pairCoatFacet = 3u;
 const uint pairChance = 4u; // escape from between facets
 const uint pairLight = 5u;  // which one; whether the path goes on at the next hit
-const uint pairAim = 6u; // at the environment image: the cell, and the next pair: where in it; at a light of some width
+const uint pairToLight =
+  6u; // at the environment image: the cell, and the next pair: where in it; at a light of some width
 
 uint PairOf(const uint bounce, const uint purpose)
 {

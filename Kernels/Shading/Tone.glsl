@@ -42,7 +42,7 @@ RTG_SHADING_FN vec3 Neutral(vec3 light)
 
 // Display color of a pixel's mean color, which is light (`linear`) or a display color already. `toneMapping`:
 // rtg::ToneMapping.
-RTG_SHADING_FN vec3 Develop(vec3 mean, bool linear, float exposureFactor, uint toneMapping)
+RTG_SHADING_FN vec3 ToneMap(vec3 mean, bool linear, float exposureFactor, uint toneMapping)
 {
   vec3 light = (linear ? mean : DisplayToLinear(mean)) * exposureFactor;
   if (toneMapping == 1u)

@@ -79,7 +79,7 @@ RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head
     return cone;
   }
   // Cone and ball meet in the plane of their circle of tangency; each ends there, since next to it their
-  // surfaces are too close to tell which is outside.
+  // surfaces are too close to decide which is outside.
   Span cap = Slab(x, dx, Word(real(0.0)), start, RTG_HEAD_BALL, startFace);
   return Hull(cone, Intersection(cap, BallSpan(ray, head.ball, head.ball, RTG_HEAD_BALL)));
 }

@@ -78,23 +78,23 @@ RTG_FN int Estimate(const EnclosureRay ray, const Enclosure outer, const real tM
   real depth = outer.radius * outer.radius - dot(p, p);
   // Where it matters |p| <= radius + moved, so moving p changes its square by less than 2 (radius + moved) moved +
   // moved^2; the rounding of the squares is less than 8 u radius^2, and u radius less than moved / 16.
-  real doubt = real(4.0) * (outer.radius + ray.moved) * ray.moved;
+  real errorBound = real(4.0) * (outer.radius + ray.moved) * ray.moved;
   // Too small or too large for plain numbers, or NaN.
-  if (!(doubt > real(1.0e-30) && doubt < real(1.0e30)))
+  if (!(errorBound > real(1.0e-30) && errorBound < real(1.0e30)))
   {
     return RTG_UNKNOWN;
   }
-  if (depth < -doubt)
+  if (depth < -errorBound)
   {
     return RTG_MISSED;
   }
-  // Half the chord is wrong by less than doubt over itself; near the silhouette it is at most sqrt(5 doubt), and
-  // what is taken for it plus its uncertainty is more.
-  bool clear = depth > real(4.0) * doubt;
-  real halfChord = sqrt(max(depth, real(4.0) * doubt));
+  // Half the chord is wrong by less than errorBound over itself; near the silhouette it is at most sqrt(5 errorBound),
+  // and what is taken for it plus its uncertainty is more.
+  bool clear = depth > real(4.0) * errorBound;
+  real halfChord = sqrt(max(depth, real(4.0) * errorBound));
   real perUnit = inversesqrt(dd);
   real toSurface = perUnit * halfChord;
-  real uncertain = real(2.0) * perUnit * (ray.moved + doubt / halfChord);
+  real uncertain = real(2.0) * perUnit * (ray.moved + errorBound / halfChord);
   low = nearest - toSurface - uncertain;
   real behind = nearest + toSurface + uncertain;
   if (outer.boxed)

@@ -1,19 +1,19 @@
 // The solver of implicit surfaces (ImplicitSurface.glsl), included once for each family: RTG_FIELD is f along one ray,
-// RTG_PROBE what plain arithmetic knows of it at one point, with at least
+// RTG_PROBE its value at one point in plain arithmetic, with at least
 //   DoubleWord where; int axis (of the coordinate plane that the point is on, else -1); bool outside;
-//   real f, slope, noise (rounding of f); Straying strays.
+//   real f, slope, error (bound of the rounding of f); TaylorError taylor.
 //
-// Isolation. The ray is cut where the family says, and a piece is looked at in windows [a, b]. Outside the glyph f > 0;
+// Isolation. NextBreak cuts the ray into pieces, and each piece is searched in windows [a, b]. Outside the glyph f > 0;
 // inside, the same holds for -f. Straight lines below it through both ends leave of a window what lies between their
 // zeros; if that is nothing, there is no crossing: that is proven, nothing is sampled. For a convex f the line at a is
-// Newton's, which never passes the first crossing. Where the signs at a and b differ and the family knows that there
+// Newton's, which never passes the first crossing. Where the signs at a and b differ and the family proves that there
 // is but one crossing, that is it. Else the window is cut where the bounds are loosest. What is less than
 // rounding, a sign at the end of a window or a window in which f touches zero, is left to double words.
 //
 // Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or stalls.
 // The last steps are done in double words: f is then known to about 1e-13, which a grazing ray wants.
 //
-// Why it cannot loop: each turn evaluates f or takes a window away, and evaluations are counted. Behind the last one
+// Why it cannot loop: each iteration evaluates f or removes a window, and evaluations are counted. Behind the last one
 // the signs at the ends of what is left of a piece decide. Why it cannot invent hits: a crossing needs a certain change
 // of sign, or the last steps must find its root in double words.
 
@@ -59,23 +59,25 @@ RTG_FN RTG_SEARCH NextWindow(const RTG_SEARCH search)
   return next;
 }
 
-// Crossings in a window. next: where to search, from a on. spent: out of steps, by the signs at its ends alone.
-RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, const bool spent, RTG_OUT(real) next)
+// Crossings in a window. next: where to search, from a on. exhausted: no evaluations are left, the signs at its ends
+// decide.
+RTG_FN int
+Classify(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, const bool exhausted, RTG_OUT(real) next)
 {
-  real way = a.outside ? real(1.0) : real(-1.0);
+  real sign = a.outside ? real(1.0) : real(-1.0);
   bool changes = a.outside != b.outside;
   real width = Subtract(b.where, a.where).hi;
   bool narrow = !(width > real(64.0 * RTG_ROUNDOFF));
   next = real(0.5) * width;
-  if (spent)
+  if (exhausted)
   {
     return changes ? RTG_SETTLE : RTG_EMPTY;
   }
-  Window window = WindowOf(field, a, b, way, max(width, real(RTG_TINY)));
+  Window window = WindowOf(field, a, b, sign, max(width, real(RTG_TINY)));
 
   // Lowered by the rounding of f: what is empty is certain to be.
-  real fa = max(way * a.f - a.noise, real(0.0));
-  real fb = max(way * b.f - b.noise, real(0.0));
+  real fa = max(sign * a.f - a.error, real(0.0));
+  real fb = max(sign * b.f - b.error, real(0.0));
   real left = window.slopeA < real(0.0) ? -fa / window.slopeA : real(0.0);
   real right = !changes && window.slopeB > real(0.0) ? width - fb / window.slopeB : width;
   bool empty = window.empty || window.slopeA >= real(0.0) || window.slopeB <= real(0.0) || left >= right;
@@ -95,7 +97,7 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, con
   real depth = max(abs(a.f), abs(b.f));
   depth = changes ? depth : min(depth, -(fa + window.slopeA * meet));
   real middle = real(0.5) * (left + right);
-  bool settles = (window.single && depth <= real(4.0) * (a.noise + b.noise)) || !(middle > real(0.0) && middle < width);
+  bool settles = (window.single && depth <= real(4.0) * (a.error + b.error)) || !(middle > real(0.0) && middle < width);
   // What is left at one end the slopes of the whole window leave there: cut there, it would shrink to where no number
   // lies between the ends.
   bool inside = min(middle, width - middle) > real(0.0625) * width;
@@ -104,20 +106,20 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, con
 }
 
 // Walks to the next window that has a crossing, or may have one that only double words resolve. Each step evaluates f
-// once or takes a window away.
+// once or removes a window.
 RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
 {
   bool solving = false;
   bool found = false;
   bool more = true;
-  int dawdling = 0;
+  int iterations = 0;
   while (more && search.steps < RTG_STEPS + RTG_PIECES)
   {
     bool newPiece = !search.resumes && !solving && !IsLess(search.a.where, search.end.where);
     bool probes = true;
     DoubleWord next = search.from;
     int axis = -1;
-    bool spent = search.steps >= RTG_STEPS;
+    bool exhausted = search.steps >= RTG_STEPS;
     if (newPiece)
     {
       more = search.a.where.hi < chord.sOut;
@@ -127,13 +129,13 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
     {
       if (!solving)
       {
-        if (spent)
+        if (exhausted)
         {
           search.b = search.end;
           search.beyond = search.end;
         }
         real where;
-        int verdict = Look(field, search.a, search.b, spent, where);
+        int verdict = Classify(field, search.a, search.b, exhausted, where);
         probes = verdict == RTG_UNIQUE || verdict == RTG_SPLIT;
         solving = verdict == RTG_UNIQUE;
         found = verdict == RTG_SETTLE;
@@ -156,27 +158,27 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
     {
       RTG_PROBE probe = ProbeAt(field, next, axis);
       ++search.steps;
-      bool doubtful = !(abs(probe.f) > probe.noise);
+      bool uncertain = !(abs(probe.f) > probe.error);
       if (solving)
       {
-        real way = search.a.outside ? real(1.0) : real(-1.0);
-        real side = doubtful ? real(0.0) : way * probe.f;
+        real sign = search.a.outside ? real(1.0) : real(-1.0);
+        real side = uncertain ? real(0.0) : sign * probe.f;
         search.low = side > real(0.0) ? search.near : search.low;
         search.high = side < real(0.0) ? search.near : search.high;
         real step = -probe.f / probe.slope;
-        bool falls = way * probe.slope < real(0.0);
-        found = doubtful || spent || !(search.high - search.low > real(64.0 * RTG_ROUNDOFF)) ||
-          (falls && Remainder(probe.strays, step) <= field.accuracy * abs(probe.slope));
+        bool falls = sign * probe.slope < real(0.0);
+        found = uncertain || exhausted || !(search.high - search.low > real(64.0 * RTG_ROUNDOFF)) ||
+          (falls && TaylorRemainder(probe.taylor, step) <= field.accuracy * abs(probe.slope));
         more = !found;
-        ++dawdling;
+        ++iterations;
         real stepped = search.near + step;
-        bool inside = stepped > search.low && stepped < search.high && (dawdling < 8 || (dawdling & 1) == 0);
+        bool inside = stepped > search.low && stepped < search.high && (iterations < 8 || (iterations & 1) == 0);
         real middle = real(0.5) * (search.low + search.high);
         search.near = found ? search.near : inside ? stepped : middle;
       }
       else
       {
-        if (doubtful)
+        if (uncertain)
         {
           probe = WithSign(field, chord.unit, probe);
         }
@@ -203,12 +205,12 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
   return found;
 }
 
-// The zero of f on a part of the ray, `low` to `high` from its origin, in double words. At `low` f times the sign `way`
-// is positive. `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is
-// known, or, where that leaves the bracket or stalls, bisection's. Else the least of f is searched by its slopes,
+// The zero of f on a part of the ray, `low` to `high` from its origin, in double words. At `low` f times the sign
+// `sign` is positive. `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative
+// is known, or, where that leaves the bracket or stalls, bisection's. Else the least of f is searched by its slopes,
 // which change their sign once. False: there is none. Where it is wanted, the gradient is that at the zero: one more
 // evaluation.
-RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes,
+RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real high, const real sign, const bool changes,
   const bool wantsGradient, RTG_OUT(LocalRay) at, RTG_OUT(real3) gradient)
 {
   bool root = changes;
@@ -222,9 +224,9 @@ RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real hig
   {
     ImplicitPoint point = PointAt(field, at);
     gradient = point.gradient;
-    real f = way * (point.value.hi + point.value.lo);
-    real slope = way * point.slope;
-    real second = way * point.second;
+    real f = sign * (point.value.hi + point.value.lo);
+    real slope = sign * point.slope;
+    real second = sign * point.second;
     root = root || f <= real(0.0);
     real step = real(0.0);
     if (settled)
@@ -240,8 +242,8 @@ RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real hig
       real fall = sqrt(max(discriminant, real(0.0)));
       step = slope < real(0.0) ? real(2.0) * f / (fall - slope) : -(slope + fall) / second;
       bool newton = discriminant >= real(0.0) && (slope < real(0.0) || second > real(0.0)) && abs(f) < real(0.5);
-      settled =
-        newton && (abs(step) <= real(1e-3) * point.accuracy || Remainder(point.strays, step) <= point.accuracy * fall);
+      settled = newton &&
+        (abs(step) <= real(1e-3) * point.accuracy || TaylorRemainder(point.taylor, step) <= point.accuracy * fall);
       bool inside = newton && step >= low && step <= high && (i < 12 || (i & 1) == 0);
       if (!settled && !inside)
       {
@@ -259,14 +261,14 @@ RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real hig
       slopeHigh = falls ? slopeHigh : slope;
       // The tangent of a convex function stays below it.
       real rest = falls ? high : low;
-      real sag = high - low < field.bowl
+      real curvature = high - low < field.convexWidth
         ? real(0.0)
-        : Remainder(point.strays, rest) - min(real(0.5) * second, real(0.0)) * rest * rest;
-      more = high - low > field.accuracy && !(f - abs(slope * rest) > sag);
-      real share = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
+        : TaylorRemainder(point.taylor, rest) - min(real(0.5) * second, real(0.0)) * rest * rest;
+      more = high - low > field.accuracy && !(f - abs(slope * rest) > curvature);
+      real fraction = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
         ? max(real(0.02), min(real(0.98), slopeLow / (slopeLow - slopeHigh)))
         : real(0.5);
-      step = more ? low + share * (high - low) : real(0.0);
+      step = more ? low + fraction * (high - low) : real(0.0);
     }
     at = Advance(at, step);
     low -= step;
@@ -291,12 +293,12 @@ RTG_FN SurfaceCrossing NearestCrossing(
     if (more)
     {
       bool changes = search.a.outside != search.b.outside;
-      real way = search.a.outside ? real(1.0) : real(-1.0);
+      real sign = search.a.outside ? real(1.0) : real(-1.0);
       LocalRay base = Advance(RayFrom(chord.unit, search.a.where, search.a.axis), search.near);
       LocalRay at;
       real3 gradient;
       bool crosses = Settle(
-        field, base, search.low - search.near, search.high - search.near, way, changes, wantsGradient, at, gradient);
+        field, base, search.low - search.near, search.high - search.near, sign, changes, wantsGradient, at, gradient);
       DoubleWord s;
       s.hi = chord.scale * at.start.hi;
       s.lo = chord.scale * at.start.lo;

@@ -1,11 +1,12 @@
 // Common code of implicit surfaces: f is positive outside, its zeros along a ray are the
 // crossings. A family gives a field, which is f along one ray (RTG_FIELD, made from a Chord), with the `accuracy` that
-// is wanted of the ray's parameter and the width of the windows in which it counts as convex (`bowl`), and says of it
+// is wanted of the ray's parameter and the width of the windows in which it counts as convex (`convexWidth`), and these
+// functions
 //
 //   RTG_PROBE ProbeAt(field, where, axis)             plain arithmetic's f at one point, with its slope and rounding
 //   RTG_PROBE WithSign(field, unit, probe)            the same with a certain sign, from double words
 //   DoubleWord NextBreak(field, after, axis)          the next point where the ray is to be cut into pieces
-//   Window WindowOf(field, a, b, way, width)          bounds of f in a part of a piece from the probes at its ends
+//   Window WindowOf(field, a, b, sign, width)          bounds of f in a part of a piece from the probes at its ends
 //   ImplicitPoint PointAt(field, at)                  f in double words, with two derivatives and the gradient
 //
 // ImplicitSearch.glsl does the rest for each family: isolates the crossings, brackets them, refines them in double
@@ -158,14 +159,14 @@ RTG_FN DoubleWord NextPlane(const Planes planes, const DoubleWord after, const D
   return next;
 }
 
-// A family's bounds of f on a window [a, b], at whose start f times the sign `way` is positive.
+// A family's bounds of f on a window [a, b], at whose start f times the sign `sign` is positive.
 struct Window
 {
   bool empty;  // f has no zero if its signs at the ends are the same
   bool unique; // it has one zero if they differ
   bool single; // it is too short for more than one extremum
-  bool convex; // way f is convex
-  real slopeA; // of straight lines through way f at a, and at b, that stay below it
+  bool convex; // sign f is convex
+  real slopeA; // of straight lines through sign f at a, and at b, that stay below it
   real slopeB;
 };
 
@@ -174,17 +175,17 @@ struct Window
 #define RTG_SETTLE 2 // only double words can decide
 #define RTG_SPLIT 3
 
-// How far f may be from the parabola that its derivatives make: its third derivative, rather too large, and how far
-// that is true.
-struct Straying
+// Bound of the distance of f from its Taylor polynomial of degree 2: a bound of the third derivative, and the radius in
+// which it holds.
+struct TaylorError
 {
   real third;
-  real reach;
+  real radius;
 };
 
-RTG_FN real Remainder(const Straying by, const real step)
+RTG_FN real TaylorRemainder(const TaylorError by, const real step)
 {
-  return abs(step) <= by.reach ? abs(step * step * step) * by.third * real(1.0 / 6.0) : real(RTG_NEVER);
+  return abs(step) <= by.radius ? abs(step * step * step) * by.third * real(1.0 / 6.0) : real(RTG_NEVER);
 }
 
 // f at the origin of a ray in double words, and what else the last steps need in plain numbers.
@@ -193,7 +194,7 @@ struct ImplicitPoint
   DoubleWord value;
   real slope;  // along the ray
   real second; // derivative along the ray
-  Straying strays;
+  TaylorError taylor;
   real accuracy;  // to which its zero is wanted
   real3 gradient; // in absolute coordinates
 };

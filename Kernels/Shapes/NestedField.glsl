@@ -18,7 +18,7 @@
 #include "WordFunctions.glsl"
 
 #define RTG_NESTED_LEAST 1.0e-6 // exponent
-// Where 1 - z^q is less than what the logarithms know of it, it counts as outside: the end of the axis.
+// Where 1 - z^q is less than the error of the logarithms, it counts as outside: the end of the axis.
 #define RTG_NESTED_END (16.0 * RTG_ROUNDOFF * RTG_ROUNDOFF + 1.0e-22)
 #define RTG_LN2 0.6931471805599453
 #define RTG_LOG2_E 1.4426950408889634074
@@ -33,9 +33,9 @@ struct NestedField
   bool twoProfiles;
   real2 steepAt; // of a profile with q < 1: |z| where -d(log R)/d|z| is least, and that; 0 for others
   real2 leastFall;
-  real accuracy; // of the ray's parameter, after the last steps
-  real bowl;     // windows shorter than this are convex
-  real3 o;       // the ray
+  real accuracy;    // of the ray's parameter, after the last steps
+  real convexWidth; // windows shorter than this are convex
+  real3 o;          // the ray
   real3 d;
   real sOut;
   Planes planes;
@@ -49,8 +49,8 @@ struct NestedProbe
   bool outside;
   real f;
   real slope;
-  real noise; // rounding of f
-  Straying strays;
+  real error; // rounding of f
+  TaylorError taylor;
   real height;  // |z|
   real2 lows;   // log2 |x|, log2 |y|
   real2 logs;   // log2 |x| / Rx, log2 |y| / Ry
@@ -90,7 +90,7 @@ RTG_FN NestedField MakeNestedField(const Chord chord, const real3 exponents)
     field.planes.z = PassesAt(WordZ(unit.origin), WordZ(unit.direction), true);
   }
   field.accuracy = real(RTG_ROUNDOFF / 64.0) / (real(1.0) + field.p);
-  field.bowl = field.convex ? real(RTG_NEVER) : field.p >= real(1.0) ? real(0.05) : real(0.0);
+  field.convexWidth = field.convex ? real(RTG_NEVER) : field.p >= real(1.0) ? real(0.05) : real(0.0);
   field.o = unit.origin.hi;
   field.d = unit.direction.hi;
   field.sOut = chord.sOut;
@@ -144,7 +144,7 @@ RTG_FN real3 Towards(const real3 v, const real3 d)
 
 // On this side of the coordinate planes, where the surface may be bent all at once, and only as far as powers that are
 // negligible stay so.
-RTG_FN Straying StrayingOf(
+RTG_FN TaylorError TaylorErrorOf(
   const NestedField field, const real3 gradient, const real3 v, const real3 d, const real2 falls)
 {
   real3 a = max(abs(v), real3(real(RTG_TINY)));
@@ -155,22 +155,22 @@ RTG_FN Straying StrayingOf(
   real3 growth = sharp * real3(real(1.0), real(1.0), steep) * abs(d) / max(a, real3(real(0.5)));
   rate = real3(v.x == real(0.0) ? real(0.0) : rate.x, v.y == real(0.0) ? real(0.0) : rate.y,
     v.z == real(0.0) ? real(0.0) : rate.z);
-  Straying strays;
-  strays.third = sharp * sharp * (bends.x + bends.y + steep * steep * bends.z);
-  strays.reach = real(1.0) / MostOf(max(rate, growth));
-  return strays;
+  TaylorError taylor;
+  taylor.third = sharp * sharp * (bends.x + bends.y + steep * steep * bends.z);
+  taylor.radius = real(1.0) / MostOf(max(rate, growth));
+  return taylor;
 }
 
 // On the coordinate plane of `axis` that coordinate is zero whatever rounding makes of o + s d: next to the rim of a
 // concave profile the difference matters.
 RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, const int axis)
 {
-  real3 way = where.hi * field.d;
+  real3 offset = where.hi * field.d;
   real3 known = OffPlane(axis);
-  real3 v = field.o + way;
+  real3 v = field.o + offset;
   real3 a = max(known * abs(v), real3(real(RTG_TINY)));
   real u = real(RTG_ROUNDOFF);
-  real3 rounding = real(4.0) * u * (known * (abs(field.o) + abs(way)));
+  real3 rounding = real(4.0) * u * (known * (abs(field.o) + abs(offset)));
   real3 l = log2(a);
   NestedProbe probe;
   probe.where = where;
@@ -202,7 +202,7 @@ RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, cons
     gradient = g * real3(outer.x * gradient.x, outer.x * gradient.y, outer.y / a.z);
     probe.f = g - real(1.0);
     probe.outside = probe.f > real(0.0);
-    probe.noise = real(32.0) * u + dot(gradient, rounding);
+    probe.error = real(32.0) * u + dot(gradient, rounding);
   }
   else
   {
@@ -216,12 +216,12 @@ RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, cons
     }
     probe.doubts += real2(real(16.0) * u) + real(2.0) * real2(rounding.x / a.x, rounding.y / a.y);
     // Outside the larger quotient alone keeps N up; inside neither may be large.
-    probe.noise = real(16.0) * u * (real(1.0) + real(1.0) / field.p) +
+    probe.error = real(16.0) * u * (real(1.0) + real(1.0) / field.p) +
       (probe.outside ? dot(share, probe.doubts) : LogNorm(probe.logs + probe.doubts, field.p) - norm);
     gradient = real(RTG_LOG2_E) * gradient;
   }
   probe.slope = dot(gradient, Towards(v, field.d));
-  probe.strays = StrayingOf(field, gradient, v, field.d, probe.falls);
+  probe.taylor = TaylorErrorOf(field, gradient, v, field.d, probe.falls);
   return probe;
 }
 
@@ -282,23 +282,23 @@ RTG_FN real2 NestedSlopeOfTerm(const real p, const real unit, const real2 lows, 
 }
 
 RTG_FN Window WindowOf(
-  const NestedField field, const NestedProbe a, const NestedProbe b, const real way, const real width)
+  const NestedField field, const NestedProbe a, const NestedProbe b, const real sign, const real width)
 {
   Window window;
   window.empty = false;
   window.unique = true;
-  // So short that nothing but one extremum is in it. A quotient counts by the root of its share in the sum of powers:
-  // where that is small, so is what bends f.
+  // So short that nothing but one extremum is in it. A quotient counts by the root of its fraction in the sum of
+  // powers: where that is small, so is what bends f.
   real2 change = abs(b.logs - a.logs);
   real2 bend = abs(b.falls - a.falls) / max(max(a.falls, b.falls), real2(real(1.0)));
   real2 smaller = max(a.logs, b.logs) - min(max(a.logs.x, a.logs.y), max(b.logs.x, b.logs.y));
   real2 halfPower = real(0.5) * field.p * min(smaller, real2(real(0.0)));
   real2 counts = real2(SafeExp2(halfPower.x), SafeExp2(halfPower.y)) * max(change, bend);
   window.single = field.convex || max(counts.x, counts.y) < real(0.004);
-  window.convex = field.convex && way > real(0.0);
-  real chord = way * (b.f - a.f) / width;
-  window.slopeA = way > real(0.0) ? a.slope : chord;
-  window.slopeB = way > real(0.0) ? b.slope : chord;
+  window.convex = field.convex && sign > real(0.0);
+  real chord = sign * (b.f - a.f) / width;
+  window.slopeA = sign > real(0.0) ? a.slope : chord;
+  window.slopeB = sign > real(0.0) ? b.slope : chord;
   if (!field.convex)
   {
     real2 rises = b.logs - a.logs;
@@ -318,7 +318,7 @@ RTG_FN Window WindowOf(
     real2 smallest = min(a.logs, b.logs);
     real2 inner = min(a.logs - a.doubts, b.logs - b.doubts);
     real2 outer = max(a.logs + a.doubts, b.logs + b.doubts);
-    real bound = way > real(0.0) ? LogNorm(inner, field.p) : -LogNorm(outer, field.p);
+    real bound = sign > real(0.0) ? LogNorm(inner, field.p) : -LogNorm(outer, field.p);
 
     // Over the largest term, so that nothing that counts under- or overflows; f' = slope 2^(p (most - f)) with
     // least <= f
@@ -334,8 +334,8 @@ RTG_FN Window WindowOf(
         d.z);
     real stretch = field.p * (most - least);
     stretch = real(RTG_LOG2_E) * (stretch < real(60.0) ? exp2(stretch) : real(1e18));
-    window.slopeA = stretch * (way > real(0.0) ? slopes.x : -slopes.y);
-    window.slopeB = stretch * (way > real(0.0) ? slopes.y : -slopes.x);
+    window.slopeA = stretch * (sign > real(0.0) ? slopes.x : -slopes.y);
+    window.slopeB = stretch * (sign > real(0.0) ? slopes.y : -slopes.x);
     window.unique = window.unique || window.slopeA >= real(0.0) || window.slopeB <= real(0.0);
     window.empty = bound > real(32.0 * RTG_ROUNDOFF);
   }
@@ -461,7 +461,7 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
   }
   point.slope = slope.hi;
   point.gradient = share / max(abs(at.origin.hi), real3(real(RTG_TINY)));
-  point.strays = StrayingOf(field, point.gradient, at.origin.hi, at.direction.hi, falls);
+  point.taylor = TaylorErrorOf(field, point.gradient, at.origin.hi, at.direction.hi, falls);
   point.accuracy = field.accuracy;
   return point;
 }

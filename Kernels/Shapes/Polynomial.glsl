@@ -91,7 +91,7 @@ RTG_FN HermiteWindow WindowOf(const PlanePoint a, const PlanePoint b, const real
   return window;
 }
 
-// Where the cubic's slope changes its sign, as a share of the window.
+// Where the cubic's slope changes its sign, as a fraction of the window.
 RTG_FN real ExtremeOf(const HermiteWindow window)
 {
   real3 d = window.slope;
@@ -107,9 +107,9 @@ RTG_FN real ExtremeOf(const HermiteWindow window)
 #define RTG_HALVE 2
 #define RTG_TURN 3 // the cubic is h, and it turns round in the window
 
-// `doubt`, `slopeDoubt`: how far h may be from the cubic. `halves`: too far; `wide`: it may be halved all the same.
+// `bound`, `slopeBound`: how far h may be from the cubic. `halves`: too far; `wide`: it may be halved all the same.
 RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, const PlanePoint b, const bool endInside,
-  const real distance, const real doubt, const real slopeDoubt, const bool halves, const bool wide)
+  const real distance, const real bound, const real slopeBound, const bool halves, const bool wide)
 {
   real4 h = window.value;
   real3 d = window.slope;
@@ -117,17 +117,17 @@ RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, con
   real side = (search.inside ? search.a.f : b.f) < real(0.0) ? real(-1.0) : real(1.0);
   bool crosses = search.inside ? side * h.w < distance : endInside;
   // Where h has turned round at a, its slope there says nothing.
-  bool level = search.turned && abs(d.x) <= slopeDoubt;
+  bool level = search.turned && abs(d.x) <= slopeBound;
   d.x = level ? d.y : d.x;
-  bool monotone = min(d.x, min(d.y, d.z)) > slopeDoubt || max(d.x, max(d.y, d.z)) < -slopeDoubt;
-  real least = min(min(h.x, h.y), min(h.z, h.w)) - doubt;
-  real most = max(max(h.x, h.y), max(h.z, h.w)) + doubt;
+  bool monotone = min(d.x, min(d.y, d.z)) > slopeBound || max(d.x, max(d.y, d.z)) < -slopeBound;
+  real least = min(min(h.x, h.y), min(h.z, h.w)) - bound;
+  real most = max(max(h.x, h.y), max(h.z, h.w)) + bound;
   bool empty = (most < distance && least > -distance) || least > distance || most < -distance;
   if (monotone || empty)
   {
     return crosses ? RTG_CROSS : RTG_PASS;
   }
-  bool turns = d.x * d.z < real(0.0) || (abs(d.x) <= slopeDoubt && !level) || abs(d.z) <= slopeDoubt;
+  bool turns = d.x * d.z < real(0.0) || (abs(d.x) <= slopeBound && !level) || abs(d.z) <= slopeBound;
   if (halves || (!turns && wide))
   {
     return RTG_HALVE;
@@ -136,14 +136,14 @@ RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, con
 }
 
 // Rounding of f in plain arithmetic: its terms cancel up to 3^(k / 2) times, usually much less.
-RTG_FN real PlaneNoise(const int degree)
+RTG_FN real PlaneError(const int degree)
 {
-  real noise = real(8.0 / 3.0 * RTG_ROUNDOFF);
+  real error = real(8.0 / 3.0 * RTG_ROUNDOFF);
   for (int i = 0; i < degree; i += 2)
   {
-    noise *= real(3.0);
+    error *= real(3.0);
   }
-  return noise;
+  return error;
 }
 
 // Parameter of the point of the ray in that direction
@@ -156,7 +156,7 @@ RTG_FN real ParameterOf(const PlaneRay ray, const real2 n, const real otherwise)
 RTG_FN bool NextCrossing(
   const PlaneForm form, const int degree, const PlaneRay ray, PolynomialSearch search, RTG_OUT(PolynomialSearch) after)
 {
-  real noise = PlaneNoise(degree);
+  real error = PlaneError(degree);
   real2 end = DirectionAt(ray, ray.end);
   real order = real(degree + 1);
   real fourth = order * order * order * order * form.most;
@@ -215,23 +215,23 @@ RTG_FN bool NextCrossing(
       search.near = found && !inBracket ? t : next;
       // Next to where the slope vanishes a root moves by the square root of what the value does; the angle changes by
       // n.x / radius.
-      search.pad = real2(real(8.0) * noise / max(abs(slope), order * sqrt(noise) * n.x / max(radius, noise)));
+      search.pad = real2(real(8.0) * error / max(abs(slope), order * sqrt(error) * n.x / max(radius, error)));
       t = next;
     }
     else
     {
       HermiteWindow window = WindowOf(search.a, b, width);
       real cube = width * width * width * fourth;
-      real doubt = cube * width * real(1.0 / 384.0);
-      real rounding = noise * max(search.a.n.x, b.n.x);
-      bool halves = doubt > rounding;
+      real bound = cube * width * real(1.0 / 384.0);
+      real rounding = error * max(search.a.n.x, b.n.x);
+      bool halves = bound > rounding;
       // Up to where it turns round h is monotone.
-      real slopeDoubt =
-        turning ? -real(RTG_NEVER) : real(0.0080188) * cube + noise + rounding * (order + real(6.0) / width);
+      real slopeBound =
+        turning ? -real(RTG_NEVER) : real(0.0080188) * cube + error + rounding * (order + real(6.0) / width);
       int verdict = LookAt(
-        window, search, b, inside, ray.distance, doubt + rounding, slopeDoubt, halves, order * width > real(0.02));
-      bool doubtful = turning && abs(abs(b.n.x * b.f) - ray.distance) <= real(8.0) * noise * b.n.x;
-      if (doubtful)
+        window, search, b, inside, ray.distance, bound + rounding, slopeBound, halves, order * width > real(0.02));
+      bool uncertain = turning && abs(abs(b.n.x * b.f) - ray.distance) <= real(8.0) * error * b.n.x;
+      if (uncertain)
       {
         search.touches = true;
         search.sign = b.f < real(0.0) ? real(-1.0) : real(1.0);
@@ -255,8 +255,8 @@ RTG_FN bool NextCrossing(
       }
       else if (verdict == RTG_TURN)
       {
-        real share = search.turned ? max(ExtremeOf(window), real(0.5)) : ExtremeOf(window);
-        real2 between = (real(1.0) - share) * search.a.n + share * b.n;
+        real fraction = search.turned ? max(ExtremeOf(window), real(0.5)) : ExtremeOf(window);
+        real2 between = (real(1.0) - fraction) * search.a.n + fraction * b.n;
         peak = (window.slope.x > window.slope.z) == (window.value.y + window.value.z > real(0.0));
         search.low = ParameterOf(ray, search.a.n, ray.start);
         search.high = ParameterOf(ray, b.n, ray.end);
@@ -272,10 +272,10 @@ RTG_FN bool NextCrossing(
         search.sign = (search.inside ? search.a.f : b.f) < real(0.0) ? real(-1.0) : real(1.0);
         search.low = ParameterOf(ray, search.a.n, ray.start);
         search.high = ParameterOf(ray, b.n, ray.end);
-        real share =
+        real fraction =
           clamp((search.sign * window.value.x - ray.distance) / (search.sign * (window.value.x - window.value.w)),
             real(0.0625), real(0.9375));
-        real2 between = (real(1.0) - share) * search.a.n + share * b.n;
+        real2 between = (real(1.0) - fraction) * search.a.n + fraction * b.n;
         t = ParameterOf(ray, between, search.low);
         t = t > search.low && t < search.high ? t : real(0.5) * (search.low + search.high);
       }
@@ -312,7 +312,7 @@ RTG_FN int SettleCrossing(const Glyph glyph, const LocalRay ray, const Polynomia
 {
   sign = search.sign;
   // Positive before the crossing
-  real way = search.inside ? real(-1.0) : real(1.0);
+  real outward = search.inside ? real(-1.0) : real(1.0);
   real order = real(glyph.degree + 1);
   real bend = order * order * dot(ray.direction.hi, ray.direction.hi);
   real slopeLow = real(0.0);
@@ -330,9 +330,9 @@ RTG_FN int SettleCrossing(const Glyph glyph, const LocalRay ray, const Polynomia
   {
     FormPoint point = FormAt(glyph, at.origin, false);
     sign = atEnd && !wasBehind && !search.inside ? (point.f.hi < real(0.0) ? real(-1.0) : real(1.0)) : sign;
-    real g = way * Add(point.distance, Multiply(point.f, -sign)).hi;
+    real g = outward * Add(point.distance, Multiply(point.f, -sign)).hi;
     real distance = max(point.distance.hi, real(1e-20));
-    real slope = way * dot(at.origin.hi / distance - sign * point.gradient.hi, at.direction.hi);
+    real slope = outward * dot(at.origin.hi / distance - sign * point.gradient.hi, at.direction.hi);
     bool before = g > real(0.0);
     wasBefore = wasBefore || before;
     wasBehind = wasBehind || !before;
@@ -344,20 +344,20 @@ RTG_FN int SettleCrossing(const Glyph glyph, const LocalRay ray, const Polynomia
     else if (search.touches && !wasBehind)
     {
       real ratio =
-        way * sign * dot(at.origin.hi * (point.f.hi / (distance * distance)) - point.gradient.hi, at.direction.hi);
+        outward * sign * dot(at.origin.hi * (point.f.hi / (distance * distance)) - point.gradient.hi, at.direction.hi);
       bool falls = ratio < real(0.0);
       low = falls ? real(0.0) : low;
       slopeLow = falls ? ratio : slopeLow;
       high = falls ? high : real(0.0);
       slopeHigh = falls ? slopeHigh : ratio;
-      real share = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
+      real fraction = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
         ? clamp(slopeLow / (slopeLow - slopeHigh), real(0.02), real(0.98))
         : real(0.5);
-      step = low + share * (high - low);
+      step = low + fraction * (high - low);
       // The least is not less than at the nearer end what the slope there takes away.
       real rest = falls ? high : low;
-      real sag = real(0.5) * bend * rest * rest / (distance * distance);
-      atEnd = !(high - low > real(1e-7) * distance) || g - abs(slope * rest) > sag;
+      real curvature = real(0.5) * bend * rest * rest / (distance * distance);
+      atEnd = !(high - low > real(1e-7) * distance) || g - abs(slope * rest) > curvature;
       low = atEnd ? real(0.0) : low;
       high = atEnd ? end : high;
       step = atEnd ? end : step;
@@ -424,7 +424,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
   PlaneForm form = MakePlaneForm(glyph, plane.distance > real(1.0e-20) ? foot / plane.distance : Across(d), d);
   // In plain arithmetic a ray through the center passes it, so that its angles are parameters.
   plane.distance = max(plane.distance, real(RTG_LEAST_DISTANCE));
-  form.most = min(form.most, real(1.0)) + real(4.0) * PlaneNoise(degree);
+  form.most = min(form.most, real(1.0)) + real(4.0) * PlaneError(degree);
   if (plane.distance >= form.most)
   {
     return crossing;

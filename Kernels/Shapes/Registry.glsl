@@ -59,7 +59,7 @@ RTG_FN Enclosure GlyphEnclosure(const RTG_SHAPE shape, const Glyph glyph)
   return outer;
 }
 
-// Says in plain arithmetic what is certain of IntersectGlyph's answer: one of Estimate.glsl's three.
+// What plain arithmetic proves of IntersectGlyph's result: one of Estimate.glsl's three.
 RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(real) low, RTG_OUT(real) high)
 {

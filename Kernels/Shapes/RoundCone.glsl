@@ -103,7 +103,7 @@ RTG_FN Span RoundConeSpan(const LocalRay ray, const RoundConeForm form)
     return side; // the cone holds both balls
   }
   // Side and balls share the planes of the circles where they touch; each ends there, since next to them their surfaces
-  // are too close to tell which is outside.
+  // are too close to decide which is outside.
   DoubleWord start = Add(firstMiddle, Multiply(form.first, form.sine));
   DoubleWord end = Add(form.halfLength, Multiply(form.last, form.sine));
   DoubleWord before = Subtract(firstMiddle, Multiply(form.first, real(2.0)));

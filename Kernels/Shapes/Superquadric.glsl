@@ -28,9 +28,9 @@ struct SuperquadricField
   real3 direction;
   real sOut;
   Planes cusps;
-  real accuracy; // of s, after the last steps
-  real noise;    // rounding of f where its terms are of the order of one
-  real bowl;     // windows shorter than this are convex
+  real accuracy;    // of s, after the last steps
+  real error;       // rounding of f where its terms are of the order of one
+  real convexWidth; // windows shorter than this are convex
 };
 
 // f and its terms at one point of the ray.
@@ -41,19 +41,19 @@ struct SuperquadricProbe
   bool outside;
   real f;
   real slope;
-  real noise;
-  Straying strays;
+  real error;
+  TaylorError taylor;
   real3 terms;
   real3 slopes; // of the terms along the ray; RTG_CUSP at a cusp
 };
 
 // How well a parabola follows the term (p + s d)^e: its third derivative, and the radius in which that holds. For
 // e >= 3 it stays below its value at 0.1 up to there.
-RTG_FN void ParabolaAxis(
-  const real a, const real d, const real e, const real slope, const real rate, RTG_OUT(real) third, RTG_OUT(real) reach)
+RTG_FN void ParabolaAxis(const real a, const real d, const real e, const real slope, const real rate,
+  RTG_OUT(real) third, RTG_OUT(real) radius)
 {
   bool tame = e == real(2.0) || e >= real(3.0);
-  reach = tame || d == real(0.0) ? real(RTG_NEVER) : real(0.5) * a / abs(d);
+  radius = tame || d == real(0.0) ? real(RTG_NEVER) : real(0.5) * a / abs(d);
   third = abs((e - real(1.0)) * (e - real(2.0)) * slope * rate * rate);
   if (e >= real(3.0) && a < real(0.1))
   {
@@ -62,13 +62,13 @@ RTG_FN void ParabolaAxis(
 }
 
 RTG_FN void ProbeAxis(const real p, const real d, const real e, RTG_OUT(real) term, RTG_OUT(real) slope,
-  RTG_OUT(real) third, RTG_OUT(real) reach)
+  RTG_OUT(real) third, RTG_OUT(real) radius)
 {
   real a = abs(p);
   term = a > real(0.0) ? pow(a, e) : real(0.0);
   real rate = a > real(1e-30) ? d / p : real(0.0);
   slope = e * term * rate;
-  ParabolaAxis(a, d, e, slope, rate, third, reach);
+  ParabolaAxis(a, d, e, slope, rate, third, radius);
   if (a == real(0.0) && e < real(1.0) && d != real(0.0))
   {
     slope = real(RTG_CUSP);
@@ -84,18 +84,18 @@ RTG_FN SuperquadricProbe ProbeAt(const SuperquadricField field, const DoubleWord
   real3 d = field.direction;
   real3 e = field.exponents;
   real3 third;
-  real3 reach;
-  ProbeAxis(p.x, d.x, e.x, probe.terms.x, probe.slopes.x, third.x, reach.x);
-  ProbeAxis(p.y, d.y, e.y, probe.terms.y, probe.slopes.y, third.y, reach.y);
-  ProbeAxis(p.z, d.z, e.z, probe.terms.z, probe.slopes.z, third.z, reach.z);
+  real3 radius;
+  ProbeAxis(p.x, d.x, e.x, probe.terms.x, probe.slopes.x, third.x, radius.x);
+  ProbeAxis(p.y, d.y, e.y, probe.terms.y, probe.slopes.y, third.y, radius.y);
+  ProbeAxis(p.z, d.z, e.z, probe.terms.z, probe.slopes.z, third.z, radius.z);
   probe.f = SumOf(probe.terms) - real(1.0);
   probe.slope = SumOf(probe.slopes);
-  probe.strays.third = SumOf(third);
-  probe.strays.reach = LeastOf(reach);
+  probe.taylor.third = SumOf(third);
+  probe.taylor.radius = LeastOf(radius);
   probe.outside = probe.f > real(0.0);
   // A plane is where double words say: rounded, that moves the other terms, even to where they have cusps, too.
   real moved = axis < 0 ? real(0.0) : real(8.0 * RTG_ROUNDOFF) * max(abs(where.hi), real(RTG_ROUNDOFF));
-  probe.noise = field.noise + moved * SumOf(OffPlane(axis) * abs(probe.slopes));
+  probe.error = field.error + moved * SumOf(OffPlane(axis) * abs(probe.slopes));
   return probe;
 }
 
@@ -125,8 +125,8 @@ RTG_FN SuperquadricField MakeSuperquadricField(const Chord chord, const real3 ex
   field.cusps.z = PassesAt(WordZ(unit.origin), WordZ(unit.direction), exponents.z < real(1.0));
   field.accuracy = real(0.5 * RTG_ROUNDOFF) * (chord.sOut - chord.sIn);
   // Vulkan allows log2 an absolute error of 2^-21 next to 1; pow multiplies it by the exponent.
-  field.noise = real(RTG_ROUNDOFF) * (real(4.0) + real(4.0) * MostOf(exponents));
-  field.bowl = LeastOf(exponents) >= real(1.0) ? real(RTG_NEVER) : real(0.0);
+  field.error = real(RTG_ROUNDOFF) * (real(4.0) + real(4.0) * MostOf(exponents));
+  field.convexWidth = LeastOf(exponents) >= real(1.0) ? real(RTG_NEVER) : real(0.0);
   return field;
 }
 
@@ -149,16 +149,16 @@ RTG_FN void WindowAxis(const real e, const real outward, const real termA, const
   steepest = max(atA, atB);
 }
 
-RTG_FN Window WindowOf(
-  const SuperquadricField field, const SuperquadricProbe a, const SuperquadricProbe b, const real way, const real width)
+RTG_FN Window WindowOf(const SuperquadricField field, const SuperquadricProbe a, const SuperquadricProbe b,
+  const real sign, const real width)
 {
   real3 lineA;
   real3 lineB;
   real3 steepest;
   real3 e = field.exponents;
-  WindowAxis(e.x, way, a.terms.x, b.terms.x, a.slopes.x, b.slopes.x, width, lineA.x, lineB.x, steepest.x);
-  WindowAxis(e.y, way, a.terms.y, b.terms.y, a.slopes.y, b.slopes.y, width, lineA.y, lineB.y, steepest.y);
-  WindowAxis(e.z, way, a.terms.z, b.terms.z, a.slopes.z, b.slopes.z, width, lineA.z, lineB.z, steepest.z);
+  WindowAxis(e.x, sign, a.terms.x, b.terms.x, a.slopes.x, b.slopes.x, width, lineA.x, lineB.x, steepest.x);
+  WindowAxis(e.y, sign, a.terms.y, b.terms.y, a.slopes.y, b.slopes.y, width, lineA.y, lineB.y, steepest.y);
+  WindowAxis(e.z, sign, a.terms.z, b.terms.z, a.slopes.z, b.slopes.z, width, lineA.z, lineB.z, steepest.z);
   bool allConvex = LeastOf(e) >= real(1.0);
   bool allConcave = MostOf(e) < real(1.0);
   // How much the coordinates of the concave terms change
@@ -172,7 +172,7 @@ RTG_FN Window WindowOf(
   window.empty = false;
   window.unique = allConvex || allConcave || SumOf(steepest) < real(0.0);
   window.single = MostOf(concave) < real(0.02);
-  window.convex = way > real(0.0) ? allConvex : allConcave;
+  window.convex = sign > real(0.0) ? allConvex : allConcave;
   window.slopeA = SumOf(lineA);
   window.slopeB = SumOf(lineB);
   return window;
@@ -200,8 +200,8 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at, c
   ImplicitPoint point;
   point.value = Word(real(-1.0));
   point.slope = real(0.0);
-  point.strays.third = real(0.0);
-  point.strays.reach = real(RTG_NEVER);
+  point.taylor.third = real(0.0);
+  point.taylor.radius = real(RTG_NEVER);
   real steepness = real(0.0);
   DoubleWord3 term3;
   real3 second = real3(real(0.0));
@@ -226,16 +226,16 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at, c
     real gradient = e * term.hi * inverse;
     real slope = gradient * d.hi;
     real third;
-    real reach;
+    real radius;
     rate[axis] = d.hi * inverse;
-    ParabolaAxis(x.hi, d.hi, e, slope, rate[axis], third, reach);
+    ParabolaAxis(x.hi, d.hi, e, slope, rate[axis], third, radius);
     point.value = Add(point.value, term);
     point.slope += slope;
     steepness += abs(slope);
     second[axis] = (e - real(1.0)) * slope * rate[axis];
     point.gradient[axis] = gradient;
-    point.strays.third += third;
-    point.strays.reach = min(point.strays.reach, reach);
+    point.taylor.third += third;
+    point.taylor.radius = min(point.taylor.radius, radius);
   }
   if (abs(point.slope) < real(0.001) * steepness && least == real(0.0))
   {
@@ -256,7 +256,7 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at, c
   point.second = UsefulSecond(f, point.slope, second.x, rate.x, field.exponents.x) +
     UsefulSecond(f, point.slope, second.y, rate.y, field.exponents.y) +
     UsefulSecond(f, point.slope, second.z, rate.z, field.exponents.z);
-  point.accuracy = min(field.accuracy, real(16.0 * RTG_ROUNDOFF) * point.strays.reach);
+  point.accuracy = min(field.accuracy, real(16.0 * RTG_ROUNDOFF) * point.taylor.radius);
   return point;
 }
 
@@ -272,7 +272,7 @@ RTG_FN SuperquadricProbe WithSign(const SuperquadricField field, const LocalRay 
   real least = probe.axis < 0 ? real(0.0) : real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF);
   certain.f = PointAt(field, RayFrom(unit, probe.where, probe.axis), probe.axis, least).value.hi;
   certain.outside = certain.f > real(0.0);
-  certain.noise = field.noise;
+  certain.error = field.error;
   return certain;
 }
 

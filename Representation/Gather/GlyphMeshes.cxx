@@ -46,10 +46,10 @@ rtglyphs::GlyphMeshes::GlyphMeshes() = default;
 rtglyphs::GlyphMeshes::~GlyphMeshes() = default;
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreForms)
+void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreMeshes)
 {
   auto* blocks = vtkDataObjectTree::SafeDownCast(data);
-  if (blocksAreForms && blocks)
+  if (blocksAreMeshes && blocks)
   {
     vtkNew<vtkMultiBlockDataSet> table;
     auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
@@ -81,17 +81,17 @@ void rtglyphs::GlyphMeshes::Take(vtkDataObject* piece)
 {
   auto* outer = vtkMultiBlockDataSet::SafeDownCast(piece);
   vtkDataObject* inner = outer && outer->GetNumberOfBlocks() > 0 ? outer->GetBlock(0) : nullptr;
-  this->Forms.clear();
+  this->Meshes.clear();
   if (auto* table = vtkMultiBlockDataSet::SafeDownCast(inner))
   {
     for (unsigned int i = 0; i < table->GetNumberOfBlocks(); ++i)
     {
-      this->Forms.emplace_back(vtkPolyData::SafeDownCast(table->GetBlock(i)));
+      this->Meshes.emplace_back(vtkPolyData::SafeDownCast(table->GetBlock(i)));
     }
   }
   else
   {
-    this->Forms.emplace_back(vtkPolyData::SafeDownCast(inner));
+    this->Meshes.emplace_back(vtkPolyData::SafeDownCast(inner));
   }
   this->UpdateExtents();
 }
@@ -100,9 +100,9 @@ void rtglyphs::GlyphMeshes::Take(vtkDataObject* piece)
 void rtglyphs::GlyphMeshes::UpdateExtents()
 {
   std::vector<vtkMTimeType> times;
-  for (vtkPolyData* form : this->Forms)
+  for (vtkPolyData* mesh : this->Meshes)
   {
-    times.push_back(form && form->GetPoints() ? form->GetPoints()->GetMTime() : 0);
+    times.push_back(mesh && mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0);
   }
   if (times == this->ExtentsTimes)
   {
@@ -110,13 +110,13 @@ void rtglyphs::GlyphMeshes::UpdateExtents()
   }
   this->ExtentsTimes = times;
   this->Extents.clear();
-  for (vtkPolyData* form : this->Forms)
+  for (vtkPolyData* mesh : this->Meshes)
   {
     auto corners = std::make_shared<rtg::TriangleMesh>();
-    if (form && form->GetNumberOfPoints() > 0)
+    if (mesh && mesh->GetNumberOfPoints() > 0)
     {
       double b[6];
-      form->GetBounds(b);
+      mesh->GetBounds(b);
       corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
     }
     this->Extents.push_back(std::move(corners));

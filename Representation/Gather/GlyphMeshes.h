@@ -33,7 +33,7 @@ public:
   /**
    * Gathers the polygons of `data` (may be null) as one mesh, or each block of a composite as a mesh of its own.
    */
-  void Gather(vtkDataObject* data, bool blocksAreForms);
+  void Gather(vtkDataObject* data, bool blocksAreMeshes);
 
   /**
    * The gathered meshes, for the view. In a composite, because data of several ranks that are put together do not stay
@@ -49,8 +49,8 @@ public:
   /**
    * Number of meshes, and mesh i; null: there is none.
    */
-  std::size_t GetNumberOfForms() const { return this->Forms.size(); }
-  vtkPolyData* GetForm(std::size_t i) const { return i < this->Forms.size() ? this->Forms[i].Get() : nullptr; }
+  std::size_t GetNumberOfMeshes() const { return this->Meshes.size(); }
+  vtkPolyData* GetMesh(std::size_t i) const { return i < this->Meshes.size() ? this->Meshes[i].Get() : nullptr; }
 
   /**
    * Two opposite corners of each mesh's box, as a mesh for GlyphBounds; without points where there is no mesh.
@@ -66,7 +66,7 @@ private:
   void UpdateExtents();
 
   vtkNew<vtkMultiBlockDataSet> Piece; // its only block is the mesh, or a composite of them
-  std::vector<vtkSmartPointer<vtkPolyData>> Forms;
+  std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
   std::vector<std::shared_ptr<const rtg::TriangleMesh>> Extents;
   std::vector<vtkMTimeType> ExtentsTimes;
 };

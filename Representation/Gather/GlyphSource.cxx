@@ -48,7 +48,7 @@ bool BeginsAtOrigin(auto* arrow)
   return true;
 }
 
-rtg::Shape ShapeOf(vtkAlgorithm* algorithm, glm::dvec3& size, rtg::ArrowForm& form)
+rtg::Shape ShapeOf(vtkAlgorithm* algorithm, glm::dvec3& size, rtg::ArrowForm& proportions)
 {
   if (auto* sphere = vtkSphereSource::SafeDownCast(algorithm))
   {
@@ -74,9 +74,9 @@ rtg::Shape ShapeOf(vtkAlgorithm* algorithm, glm::dvec3& size, rtg::ArrowForm& fo
   }
   if (auto* arrow = vtkArrowSource::SafeDownCast(algorithm))
   {
-    form.shaftRadius = static_cast<float>(arrow->GetShaftRadius());
-    form.tipRadius = static_cast<float>(arrow->GetTipRadius());
-    form.tipLength = static_cast<float>(arrow->GetTipLength());
+    proportions.shaftRadius = static_cast<float>(arrow->GetShaftRadius());
+    proportions.tipRadius = static_cast<float>(arrow->GetTipRadius());
+    proportions.tipLength = static_cast<float>(arrow->GetTipLength());
     const bool slender = arrow->GetShaftRadius() <= 0.5 && arrow->GetTipRadius() <= 0.5;
     return slender && arrow->GetTipLength() >= 0.001 && !arrow->GetInvert() && BeginsAtOrigin(arrow) ? rtg::Shape::Arrow
                                                                                                      : rtg::Shape::Mesh;
@@ -94,13 +94,13 @@ rtglyphs::GlyphSource::GlyphSource(vtkAlgorithm* algorithm)
     algorithm = algorithm->GetInputAlgorithm();
   }
   glm::dvec3 size(1.0);
-  rtg::ArrowForm form;
-  const rtg::Shape shape = ShapeOf(algorithm, size, form);
+  rtg::ArrowForm proportions;
+  const rtg::Shape shape = ShapeOf(algorithm, size, proportions);
   if (shape != rtg::Shape::Mesh && std::min({ size.x, size.y, size.z }) > 0.0)
   {
     this->Shape = shape;
     this->UnitSize = size;
-    this->Arrow = form;
+    this->Arrow = proportions;
   }
 }
 

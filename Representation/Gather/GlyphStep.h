@@ -50,7 +50,7 @@ public:
   /// Whether there are points, and none has an id.
   bool LacksIds() const { return this->Points > 0 && !this->AnyIds; }
 
-  /// What is to be said then of a property that needs them.
+  /// The message then for a property that needs them.
   static std::string IdsNeeded(const std::string& property, const std::string& consequence);
 
   ///@{
@@ -63,7 +63,7 @@ public:
 
   /**
    * The pairs but for those that move farther along an axis than half of the extent, where most points move less than a
-   * tenth of it: these have crossed the border of a periodic box, whose length the data do not tell.
+   * tenth of it: these have crossed the border of a periodic box, whose length is not in the data.
    */
   static Pairs WithoutCrossings(Pairs pairs);
 

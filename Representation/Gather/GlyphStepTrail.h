@@ -2,9 +2,9 @@
  * @class   GlyphStepTrail
  * @brief   where points were in the last time steps before the one shown
  *
- * The steps are asked of the pipeline, one after the other, and kept until it changes: a step that is jumped to has the
- * same trails as one that was played to. What has been shown or asked for before is not asked for again. Keeping them
- * takes 48 bytes a point and step.
+ * The steps are requested from the pipeline, one after the other, and kept until it changes: a step that is jumped to
+ * has the same trails as one that was played to. Steps that have been shown or requested before are not requested
+ * again. Keeping them takes 48 bytes a point and step.
  *
  * A trail ends where the next earlier step has no single point of that id, or none of finite position, and where the
  * point crossed a border (GlyphStep::WithoutCrossings()); in a periodic box it goes on to the nearest image.
@@ -45,7 +45,7 @@ public:
 
   /**
    * What the pipeline gave, gathered: of the time shown or, while steps are missing, of GetMissing(). `from` has the
-   * pipeline's time steps. True: the pipeline is to be asked again, for GetMissing() or, if that is nothing, for the
+   * pipeline's time steps. True: the pipeline must be updated again, for GetMissing() or, if that is nothing, for the
    * time shown. All ranks do it at once.
    */
   bool Take(vtkDataObject* gathered, double time, vtkInformation* from, vtkAlgorithm* source);
@@ -58,7 +58,7 @@ public:
   void AddTo(vtkDataObject* gathered, const rtg::PeriodicImages& images) const;
 
   /**
-   * What is to be said of the last step, with a remedy; empty the second time that the same comes.
+   * The message about the last step, with a remedy; empty when the same message comes again.
    */
   std::string TakeMessage();
 
@@ -78,8 +78,8 @@ private:
   std::map<double, GlyphStep> Kept;
   GlyphStep Shown;
   std::vector<double> Earlier; // times before the one shown, the last first
-  std::vector<double> Missing; // the last is asked for
-  bool Returns = false;        // the time shown is asked for again
+  std::vector<double> Missing; // the last is requested
+  bool Returns = false;        // the time shown is requested again
   std::string Problem, Said;
 };
 

@@ -152,9 +152,9 @@ const double* rtglyphs::GlyphBounds::Get(
 {
   // Neither colors nor the mask count: glyphs that a mask leaves out stay in the box, which does not jump then.
   std::vector<rtglyphs::GlyphSettings> all = settings;
-  for (rtglyphs::GlyphSettings& form : all)
+  for (rtglyphs::GlyphSettings& one : all)
   {
-    form.Mask = {};
+    one.Mask = {};
   }
   this->Known.Update(
     rtglyphs::GlyphArrays::KeyOf(points, std::move(all), hidden), [&] { this->Build(points, settings, hidden); });
@@ -169,9 +169,9 @@ void rtglyphs::GlyphBounds::Build(
   rtglyphs::RayTracedParallel::Box box;
   if (points->GetPoints() && points->GetNumberOfPoints() > 0)
   {
-    for (const rtglyphs::GlyphSettings& form : settings)
+    for (const rtglyphs::GlyphSettings& one : settings)
     {
-      const rtglyphs::RayTracedParallel::Box all = Collector(points, form, hidden).Box(points->GetNumberOfPoints());
+      const rtglyphs::RayTracedParallel::Box all = Collector(points, one, hidden).Box(points->GetNumberOfPoints());
       if (!all.IsEmpty())
       {
         box.Add(all.Lower, all.Upper);

@@ -2,8 +2,8 @@
  * @class   GlyphHighScale
  * @brief   the scale of the arrow whose fixed head has the proportions of the unit arrow
  *
- * It is the 95 % quantile of the scales of all glyphs where the settings name no magnitude, so that hardly an arrow has
- * a head that is too large for it. Heads have one size on all ranks.
+ * It is the 95th percentile of the scales of all glyphs where the settings name no magnitude, so that hardly an arrow
+ * has a head that is too large for it. Heads have one size on all ranks.
  */
 #ifndef GlyphHighScale_h
 #define GlyphHighScale_h

@@ -248,7 +248,7 @@ Outcome rtglyphs::GlyphMaker::Make(
   const glm::dvec3 place = this->PlaceOf(point, tuples) - origin;
   if (!rtg::IsFinite(glm::vec3(place)))
   {
-    return this->How.Tensors.AtTips ? NOT_SHOWN : POSITION; // of which the vectors tell
+    return this->How.Tensors.AtTips ? NOT_SHOWN : POSITION; // the vectors' messages name it
   }
   rtglyphs::GlyphSizes::Glyph sized;
   outcome = this->Sizes.Make(point, tuples.Sizes, sized, polynomial);

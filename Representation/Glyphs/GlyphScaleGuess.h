@@ -9,7 +9,7 @@
  * 80th of the data's longest side, or half of their mean spacing where that is less (all of it of few). The sides are
  * between the outer percentiles of the same points: a lost particle does not count.
  *
- * Where an array or tensors scale the glyphs, the typical one has the 95 % quantile of the scales. Of stress around a
+ * Where an array or tensors scale the glyphs, the typical one has the 95th percentile of the scales. Of stress around a
  * load, say, most would then be specks: where all glyphs together cover less than a quarter of as many typical ones,
  * they grow until they do. No glyph is larger than a fifth of the longest side. Where the largest would be up to twice
  * that, all become smaller; where it would be more, a limit holds for those few, so that an outlier neither

@@ -80,7 +80,7 @@ struct GlyphSettings : GlyphScaling
   RayTracedChoice<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
   rtg::ArrowForm Arrow;                         // its unit length is computed
   double ArrowReference = 0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: HighScale's
-  double HighScale = 0.0;      // high quantile of the scales of all ranks' glyphs (GlyphHighScale)
+  double HighScale = 0.0;      // 95th percentile of the scales of all ranks' glyphs (GlyphHighScale)
   std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
   int TableSize = 1;                             // of a table of meshes, of which Mesh is
   int TableEntry = 0;                            // that number: only points that choose it show it

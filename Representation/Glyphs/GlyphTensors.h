@@ -90,8 +90,8 @@ public:
     bool On = false;   // whether the glyphs show tensors at all
     std::string Array; // empty or "None": none
     RayTracedChoice<TensorLayouts, VTK_ORDER, VOIGT> Layout{};
-    bool Covariances = false; // of Gaussians; their glyphs are the ellipsoids that hold a share of each
-    double Confidence = 0.95; // that share
+    bool Covariances = false; // of Gaussians; their glyphs are the ellipsoids that hold a fraction of each
+    double Confidence = 0.95; // that fraction
     bool AtTips = false;      // round the tips of vectors, which the glyphs' directions are, instead of the points
 
     bool operator==(const Source&) const = default;
@@ -139,7 +139,8 @@ public:
   GlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
 
   /**
-   * How many standard deviations the ellipsoid of a Gaussian in three dimensions reaches that holds this share of it.
+   * How many standard deviations the ellipsoid of a Gaussian in three dimensions reaches that holds this fraction of
+   * it.
    */
   static double RadiusOf(double confidence);
 

@@ -146,7 +146,7 @@ void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::G
   }
   for (const Description& how : table)
   {
-    if (how.IsWanted(settings) && !settings.Tensors.AtTips) // else the arrows have told
+    if (how.IsWanted(settings) && !settings.Tensors.AtTips) // else the arrows have reported it
     {
       report(settings.*how.Name, how.Property, how.OfBlock);
     }

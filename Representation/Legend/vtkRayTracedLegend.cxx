@@ -101,7 +101,7 @@ void vtkRayTracedLegend::Arrange(vtkViewport* viewport)
   int extent[4] = { 0, -1, 0, -1 };
   if (this->Text->GetInput() && this->Text->GetInput()[0])
   {
-    // vtkTextActor tells the size of what it has drawn last.
+    // vtkTextActor returns the size of what it has drawn last.
     vtkTextRenderer::GetInstance()->GetBoundingBox(
       this->Text->GetTextProperty(), this->Text->GetInput(), extent, viewport->GetVTKWindow()->GetDPI());
   }

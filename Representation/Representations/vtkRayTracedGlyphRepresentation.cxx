@@ -72,9 +72,9 @@ int vtkRayTracedGlyphRepresentation::RequestData(
   const bool hasMesh = inputVector[1]->GetNumberOfInformationObjects() == 1;
   this->Meshes.Gather(
     hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->SourceIndexing && this->UseSourceTableTree);
-  if (hasMesh && this->Meshes.GetForm(0))
+  if (hasMesh && this->Meshes.GetMesh(0))
   {
-    rtglyphs::GlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetForm(0));
+    rtglyphs::GlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetMesh(0));
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
@@ -288,7 +288,7 @@ vtkRayTracedGlyphRepresentation::Beside(vtkPolyData* points, const rtglyphs::Gly
 }
 
 //----------------------------------------------------------------------------
-// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. What stands beside the glyphs and
+// Mesh 0 of a table is drawn by the main mapper, mesh i by layer i - 1. What stands beside the glyphs and
 // trails are layers, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
@@ -299,10 +299,10 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     this->Meshes.Take(form);
   }
   rtglyphs::GlyphSettings settings = this->MakeSettings();
-  const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
-  settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
+  const bool usesTable = this->Meshes.GetNumberOfMeshes() > 1 && settings.Shape == rtg::Shape::Mesh;
+  settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfMeshes()) : 1;
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
-  main->SetSettings(settings, this->Meshes.GetForm(0));
+  main->SetSettings(settings, this->Meshes.GetMesh(0));
   main->SetTensorTable(this->TensorTable);
   if (settings.HasNumberRange() &&
     (!this->TensorTable || settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES))
@@ -325,7 +325,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   {
     vtkRayTracedGlyphMapper* mapper = (*this->Layers)[layers - 1].Mapper;
     mapper->SetSettings(
-      settings.Trails(this->GetTrailSteps(), this->NeedsOrderedCompositing()), this->Meshes.GetForm(0));
+      settings.Trails(this->GetTrailSteps(), this->NeedsOrderedCompositing()), this->Meshes.GetMesh(0));
     mapper->SetTrailFading(this->TrailFading);
     mapper->SetTensorTable(this->TensorTable);
     mapper->SetTensorRange(main->GetTensorRange());
@@ -333,7 +333,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
     settings.TableEntry = entry;
-    (*this->Layers)[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
+    (*this->Layers)[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetMesh(entry));
   }
   if (beside)
   {
@@ -426,7 +426,7 @@ rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
   // Between the process that has the source and one that renders it is part of what is delivered.
-  const rtglyphs::GlyphSource source(this->Meshes.GetForm(0));
+  const rtglyphs::GlyphSource source(this->Meshes.GetMesh(0));
   settings.Arrow = source.Arrow;
   settings.Arrow.fixedHeads = this->FixedHeads;
   settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
@@ -487,7 +487,7 @@ rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     settings.Shape = this->GlyphShape == CAPSULE ? rtg::Shape::Capsule
       : this->GlyphShape == SUPERQUADRIC         ? rtg::Shape::Superquadric
       : this->GlyphShape == NESTED_SUPERQUADRIC  ? rtg::Shape::NestedSuperquadric
-      : this->Meshes.GetNumberOfForms() > 1      ? rtg::Shape::Mesh
+      : this->Meshes.GetNumberOfMeshes() > 1     ? rtg::Shape::Mesh
                                                  : source.Shape;
     settings.UnitSize = this->GlyphShape == GLYPH_TYPE ? source.UnitSize : settings.UnitSize;
   }

@@ -135,8 +135,8 @@ public:
   ///@{
   /**
    * Whether arrows have heads of one size (0) or scaled ones (1, default), as vtkArrowSource's. Fixed heads are
-   * slightly rounded and have the source's proportions on an arrow of the reference magnitude; it is a high quantile of
-   * the scale array when not positive, the default.
+   * slightly rounded and have the source's proportions on an arrow of the reference magnitude: the 95th percentile of
+   * the scale array unless it is positive.
    */
   void SetArrowHeads(int heads) { this->FixedHeads = heads == 0; }
   void SetArrowReferenceMagnitude(double magnitude)
@@ -162,10 +162,10 @@ public:
   ///@{
   /**
    * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
-   * share of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
-   * superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1], default
-   * 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of tensors
-   * are colored by, and by its ends GlyphTensors::SIGN.
+   * fraction of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
+   * superquadrics (in [0, 10], default 3), the least thickness as a fraction of the longest axis (in [0.001, 1],
+   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of
+   * tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout)
@@ -292,7 +292,7 @@ private:
   rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
   rtglyphs::GlyphMeshes Meshes;
-  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // what stands beside the glyphs, further forms of a table of meshes
+  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // what stands beside the glyphs, further meshes of a table
 };
 
 #endif

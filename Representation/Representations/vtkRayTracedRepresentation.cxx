@@ -610,7 +610,7 @@ void vtkRayTracedRepresentation::GatherIf(bool changed)
 }
 
 //----------------------------------------------------------------------------
-// The box of the data also tells where trails go on.
+// Trails, too, use the box of the data.
 void vtkRayTracedRepresentation::SetPeriodicBoundary(bool on)
 {
   this->GatherIf(std::exchange(this->Periodic.Boundary, on) != on && this->HasTrails());

@@ -213,7 +213,7 @@ void vtkRayTracedScene::Report(const std::string& message)
 }
 
 //----------------------------------------------------------------------------
-// `what` says whether it is the same as before.
+// A message about the same `what` as the last one is not repeated.
 void vtkRayTracedScene::Report(const std::string& message, const std::string& what)
 {
   if (this->Self->Reported != what)

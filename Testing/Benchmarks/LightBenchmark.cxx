@@ -128,29 +128,29 @@ std::vector<rtg::Light> LightsOf(Shading shading)
 struct Method
 {
   bool independentSamples;
-  std::uint32_t branches = 1; ///< of a sample: occlusion rays or paths
-  bool kept = false;          ///< what the plugin does by default
+  std::uint32_t raysPerSample = 1; ///< of a sample: occlusion rays or paths
+  bool kept = false;               ///< what the plugin does by default
 
   std::string Name() const
   {
     return std::string(this->independentSamples ? "random" : "sobol") +
-      (this->branches == 1 ? std::string() : " x" + std::to_string(this->branches));
+      (this->raysPerSample == 1 ? std::string() : " x" + std::to_string(this->raysPerSample));
   }
 
   void Apply(rtg::TraceSettings& settings) const
   {
     settings.independentSamples = this->independentSamples;
-    settings.occlusionRays = settings.paths = this->branches;
+    settings.occlusionRays = settings.paths = this->raysPerSample;
   }
 };
 
 std::vector<Method> Methods(Shading shading)
 {
   std::vector<Method> methods{ { true }, { false }, { true, 4 } };
-  for (const std::uint32_t branches : { 2, 4, 8, 16 })
+  for (const std::uint32_t raysPerSample : { 2, 4, 8, 16 })
   {
-    const bool kept = branches == (shading == Shading::AmbientOcclusion ? 8u : 4u);
-    methods.push_back({ false, branches, kept });
+    const bool kept = raysPerSample == (shading == Shading::AmbientOcclusion ? 8u : 4u);
+    methods.push_back({ false, raysPerSample, kept });
   }
   return methods;
 }
@@ -246,7 +246,7 @@ Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, 
   return means;
 }
 
-// Processor seconds of a sample by each method. They are taken in turns, and of several turns the method's shares of
+// Processor seconds of a sample by each method. They are taken in turns, and of several turns the method's fractions of
 // all count, times the median of the whole: the machine's speed changes.
 std::vector<benchmark::Measured>
 SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
@@ -302,7 +302,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
     const Method& method = methods[i];
     method.Apply(settings);
     // As many samples of what is kept, as many rays or paths of the others.
-    const std::uint32_t most = mostSamples / (method.kept ? 1u : method.branches);
+    const std::uint32_t most = mostSamples / (method.kept ? 1u : method.raysPerSample);
     for (settings.samples = 1; settings.samples <= most; settings.samples *= 4)
     {
       settings.plannedSamples = settings.samples;
@@ -311,7 +311,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       // Random samples are the first of the reference's: they differ from it by less than from the truth, others by
       // more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
-      if (method.independentSamples && method.branches == 1)
+      if (method.independentSamples && method.raysPerSample == 1)
       {
         if (settings.samples == std::min(16u, mostSamples))
         {
@@ -352,7 +352,7 @@ struct VarianceParts
 {
   double place = 0.0, direction = 0.0, both = 0.0;
   double adaptive = 0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
-  double covered = 0.0;  ///< share of the samples that hit something
+  double covered = 0.0;  ///< fraction of the samples that hit something
 
   double Total() const { return this->place + this->direction + this->both; }
 };

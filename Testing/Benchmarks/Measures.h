@@ -77,7 +77,7 @@ inline std::vector<double> Ratios(const std::vector<double>& of, const std::vect
 }
 
 /// Processor time of calls. They are taken in turns, each call for 5 ms at least in each, so that the turns of
-/// one lie apart and tell how the machine's speed changes while all are measured.
+/// one lie apart and show how the machine's speed changes while all are measured.
 class Turns
 {
 public:

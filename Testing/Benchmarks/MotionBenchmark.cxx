@@ -254,7 +254,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
         one.means = std::move(found.means); // the same in every turn
       }
     }
-    // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
+    // Random times' error falls as 1 / samples, so their measured error gives the reference's own part.
     double referenceError = 0.0;
     for (const Turns& one : all)
     {

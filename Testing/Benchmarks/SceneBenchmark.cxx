@@ -260,7 +260,7 @@ public:
   {
     return this->packets_;
   }
-  // Share of the pixels in which Embree has seen something else.
+  // Fraction of the pixels in which Embree has seen something else.
   double Differs() const
   {
     return this->differs_;

@@ -160,7 +160,7 @@ public:
   }
 
   double first = -1.0;           ///< seconds
-  double hits = 0.0;             ///< share of the rays
+  double hits = 0.0;             ///< fraction of the rays
   std::vector<double> wall, cpu; ///< seconds of the others
 
 private:

@@ -6,7 +6,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 101,250 distribution functions of order 8 (Data/odf.py, side 75), drawn as spherical harmonics and as one mesh with 362 vertices and 720
 triangles for each, the vertices moved along their directions: what programs for diffusion data draw. A million pieces of tubes on 1,000
 curves, drawn as tubes and by ParaView's Tube filter with 12 sides. Each kind has a process of its own. First picture: from data in memory
-until it is rendered with one ray a pixel, programs compiled in it; for meshes, the data are the meshes, and making them is told apart.
+until it is rendered with one ray a pixel, programs compiled in it; for meshes, the data are the meshes, and making them is timed separately.
 A frame: the camera turns by a degree. Occlusion: one sample a pixel, as many directions as by default. Memory: the largest
 that the process held since the data were made, without what it held before that. Written to FOLDER: directions.csv, a picture of each.
 """

@@ -28,7 +28,7 @@ def quartiles(values):
 
 def spread(processes):
     """(lower, median, upper) of the turns of several processes: the median of all turns, the lowest of the processes' lower quartiles and the
-    highest of their upper ones. Turns of one process are alike, so quartiles of all turns together would tell too little of what another process finds.
+    highest of their upper ones. Turns of one process are alike, so quartiles of all turns together would understate the spread between processes.
     """
     each = [quartiles(turns) for turns in processes]
     return min(lower for lower, _, _ in each), statistics.median(sum(processes, [])), max(upper for _, _, upper in each)

@@ -5,7 +5,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 In each turn each number of threads has a process of its own: one thread, and what is taken without asking; the table has all turns.
 The stages are those of RenderStatistics. An edit is set and the view, of few pixels, rendered; "host" is the time of both without what the kernels say
-that sending, sorting, building, tracing and denoising took, so ParaView's own share is in it. Each edit is made to and fro twice; the lesser time
+that sending, sorting, building, tracing and denoising took, so ParaView's own fraction is in it. Each edit is made to and fro twice; the lesser time
 counts, because the first one compiles programs. Written to FOLDER: large_data.csv.
 
 Ten million points need some 8 GB of memory.

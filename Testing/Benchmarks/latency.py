@@ -64,7 +64,7 @@ def typed(window, steps):
     start, found, before = [], [], window.text(LINE)
 
     def press():
-        # Between two steps the window has painted what it was told in the first.
+        # Between two steps the window has painted the result of the first.
         if start and not found and window.text(LINE) != before:
             found.append(now() - start[0])
         if not start:

@@ -90,7 +90,7 @@ def motions():
 
 def superquadric_solvers():
     """Time over error, one panel for convex and one for mixed and concave glyphs. Every point is a solver in one arithmetic on all rays, random
-    and hard: nanoseconds a ray against the 99.9th percentile of the error of t. Those with false hits or misses are hollow, with their share of the rays.
+    and hard: nanoseconds a ray against the 99.9th percentile of the error of t. Those with false hits or misses are hollow, with their fraction of the rays.
     """
     rows = [row for row in read_table(path_of("superquadric-solvers")) if row["case"] == "all"]
     solvers = list(dict.fromkeys(row["solver"] for row in rows))
@@ -112,7 +112,7 @@ def superquadric_solvers():
                               textcoords="offset points", fontsize=7, ha="center")
         axis.set(xscale="log", yscale="log", xlabel="nanoseconds a ray", title=family)
         axis.grid(alpha=0.3)
-    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes\n(circle: float, square: double, hollow: share of wrong hits)")
+    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes\n(circle: float, square: double, hollow: fraction of wrong hits)")
     for color, solver in zip(colors, solvers):
         axes[1].plot([], [], "o", color=color, label=solver)
     axes[1].legend(loc="lower left", fontsize=7)

@@ -21,7 +21,7 @@ PLAN = [(ranks, mode, light, radius) for ranks in (1, 2, 4) for mode, light, rad
 
 
 def largest_process():
-    """The most memory that a rank has ever held: ranks are the children of whoever started this one."""
+    """Peak memory of a rank: all ranks are children of the process that started this one."""
     parent = os.getppid()
     with open("/proc/%d/task/%d/children" % (parent, parent), encoding="ascii") as file:
         return max(memory("VmHWM", child) for child in file.read().split())

@@ -4,7 +4,7 @@ Usage: pvpython speed.py FOLDER [--count N] [--size PIXELS] [--frames N] [--pack
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 Each competitor runs in a process of its own: it shows the scene of Data/spheres_280k.py (73% of the pixels covered) in a
-view of PIXELS x PIXELS (or, --packed, the same centres with spheres so large that they nearly touch), then turns the camera by one degree a frame and takes the time of each frame on the wall and on all
+view of PIXELS x PIXELS (or, --packed, the same centers with spheres so large that they nearly touch), then turns the camera by one degree a frame and takes the time of each frame on the wall and on all
 cores. Written to FOLDER: speed.csv and one picture per competitor. The table gives medians, the CSV file all frames; "first image" is
 from new data to finished picture.
 """

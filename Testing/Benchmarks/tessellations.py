@@ -5,7 +5,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 2,000 turned superquadrics of exponent 5 on every axis, sides 0.5 to 1, in a cube. ParaView's Superquadric source with analytic normals
 in 6x12, 12x24, 24x48 and 96x192 facets (phi x theta) is what its 3D Glyphs copy; the source itself makes 8x16 of 6x12. Errors are against the ray-traced picture with the
-same camera and lights, one ray a pixel: the share of pixels that only one of both covers, of those that the exact one covers; and
+same camera and lights, one ray a pixel: the fraction of pixels that only one of both covers, of those that the exact one covers; and
 where both cover, the mean and the 99th percentile of the largest channel's difference in levels of 255. Times are of frames
 that are taken in turns over all, with the camera turning by a degree. Written to FOLDER: tessellations.csv and one picture for each.
 

@@ -9,7 +9,7 @@
 namespace rtg::testing
 {
 
-/// A change of less than this share of its step's is no jump.
+/// A change of less than this fraction of its step's is no jump.
 constexpr double shareOfJump = 0.2;
 
 /// The largest change of a part of the step. Parts are its tenths; a tenth that changes `enough` is

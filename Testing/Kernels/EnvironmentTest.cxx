@@ -111,7 +111,7 @@ TEST_F(EnvironmentTest, FacesShowTheIrradianceThatReachesThem)
         normal[axis] = side;
         this->camera = this->LookFrom(5.0 * normal);
         const double expected = Expected(*image, normal);
-        // The sun's share varies by its own size only, the sky's is at most its brightest texel.
+        // The sun's fraction varies by its own size only, the sky's is at most its brightest texel.
         const double deviation = (0.2 * expected + 0.36) / std::sqrt(24.0 * 24.0 * 64.0);
         EXPECT_NEAR(this->Mean(), expected, certain * deviation) << axis << " " << side;
         most = std::max(most, expected);

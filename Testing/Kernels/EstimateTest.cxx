@@ -101,7 +101,7 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
   using Kernel = rtg::shapes::Kernel<float>;
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
-  // By shape the share of rays that may miss it and stay open: what it leaves of its box and of the ball round it.
+  // By shape the fraction of rays that may miss it and stay open: what it leaves of its box and of the ball round it.
   const std::pair<rtg::Shape, double> shares[] = { { rtg::Shape::Sphere, 0.005 }, { rtg::Shape::Box, 0.005 },
     { rtg::Shape::Capsule, 0.03 }, { rtg::Shape::Arrow, 0.1 } };
   for (const auto& [shape, share] : shares)

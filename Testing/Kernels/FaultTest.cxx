@@ -199,7 +199,7 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
         if (failed)
         {
           ++failures;
-          // Whoever traces without another Commit() sees the second glyphs or nothing.
+          // A caller that traces without another Commit() gets the second glyphs or nothing.
           for (const std::uint32_t glyph : Trace(*scene).glyphs)
           {
             ASSERT_EQ(glyph, Image::noGlyph);
@@ -370,7 +370,7 @@ TEST_P(FaultTest, AProgramThatCannotBeKeptIsCompiledAllTheSame)
   }
 }
 
-// Nobody has waited for it: the view that wanted it is gone.
+// No thread has waited for it: the view that wanted it is gone.
 TEST_P(FaultTest, AProgramThatFailedIsCompiledAgainForTheNext)
 {
   rtg::ProgramLibrary& programs = *this->device->GetState().programs;

@@ -247,8 +247,8 @@ class WholeScene
 {
 };
 
-// Programs of a scene that is one set of glyphs know its record and what it has. With another set, which nobody can see
-// inside one of the glyphs, they ask the records of both, and the picture is the same.
+// Programs of a scene of one set of glyphs have its features and address as constants. With another set, hidden
+// inside one of the glyphs, they read the records of both, and the picture is the same.
 TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
 {
   RTG_NEEDS(rtg::Structure::Tree);

@@ -303,7 +303,7 @@ TEST_F(LightTest, OcclusionOfParallelPlanes)
 }
 
 // The sky's light on a plane: of 1 + s.d from each direction d, 1 + 2/3 s.n times pi; and of that what the albedo's
-// limit leaves, which colors that stand for values do not know. Ambient occlusion mixes it with the view's lights.
+// limit leaves, which colors that stand for values lack. Ambient occlusion mixes it with the view's lights.
 TEST_F(LightTest, SkyOfTwoHalves)
 {
   const auto id = this->Add(Shape::Box, { { 0, -0.5f, 0 } }, { { 100.0f, 1.0f, 100.0f } }, White());

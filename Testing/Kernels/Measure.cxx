@@ -28,7 +28,7 @@ double BoundOfT(const ReferenceGlyph& glyph, double t, double sizeInT)
   return boundUlps * UlpOf<Real>(t) + sizes * relativeRoundoff<Real> * sizeInT;
 }
 
-/// How far the silhouette is, as the share by which the glyph must grow or shrink for the line to cross its
+/// How far the silhouette is, as the fraction by which the glyph must grow or shrink for the line to cross its
 /// surface another number of times; at least this of the widths tried.
 double SilhouetteWidth(ReferenceGlyph& glyph, const HardRay& ray, std::size_t crossings)
 {

@@ -26,7 +26,7 @@ constexpr double band = 1e-5;
 
 /// Where t is not compared although both hit: within 1e-9 of the scale of a silhouette, also of one inside
 /// the outline (an arrow's head before its shaft), or on a surface met at less than this angle (float; for
-/// double it shrinks with the roundoff). Double words know the surface to about 5 u^2 = 2e-14 glyph
+/// double it shrinks with the roundoff). Double words resolve the surface to about 5 u^2 = 2e-14 glyph
 /// sizes, which is 1e-6 sizes along a ray at 2e-8 radians; such a ray stays within 2e-8 glyph sizes of
 /// that surface all along the glyph.
 constexpr double bandOfT = 1e-9;
@@ -40,7 +40,7 @@ constexpr double edgeBandSizes = 2e-6;
 /// The bound on t: ulps of t, and glyph sizes in float arithmetic; for double it shrinks with the roundoff.
 constexpr double boundUlps = 8.0;
 constexpr double boundSizes = 1e-6;
-/// Of polynomials: a thin one has lobes before lobes, whose silhouettes double words tell to 1e-8 of its thickness.
+/// Of polynomials: a thin one has lobes before lobes, whose silhouettes double words resolve to 1e-8 of its thickness.
 /// That is along the ray: from its surface, too, the point found lies no farther than with other shapes, which is what
 /// rays that leave it rely on (Programs/surface.glsl).
 constexpr double boundSizesOfPolynomials = 1e-5;
@@ -114,7 +114,7 @@ struct CaseReport
 
 CaseReport Summarise(const std::vector<Verdict>& verdicts);
 
-/// The value below which that share of them lies, in [0, 1]; 0 of none.
+/// The value below which that fraction of them lies, in [0, 1]; 0 of none.
 double Quantile(std::vector<double> values, double share);
 
 /// All rays of a case through the C++ kernel.

@@ -164,7 +164,7 @@ protected:
     instances.sizes3 = { size };
     instances.rotations = { glm::normalize(glm::vec4(0.1f, 0.2f, 0.3f, 0.9f)) };
     // The parabola bends by many pixels, and there are samples enough, that a factor of 0.4 for 0.5 is seen: what
-    // wrong shares add to chi-squared grows with the number of samples.
+    // wrong fractions add to chi-squared grows with the number of samples.
     instances.motion.velocities = { { 0.5f, -0.4f, 0.0f } };
     instances.motion.accelerations = { { 1.0f, 5.0f, 0.5f } };
     instances.motion.angularVelocities = { { 0.3f, 0.5f, 2.5f } };
@@ -268,7 +268,7 @@ TEST_P(MotionTest, TimesAreStratified)
     squares += (means[pixel].a - expected) * (means[pixel].a - expected);
   }
   // Of 16 samples, each of the two times at which an edge passes misplaces one or, where times wrap around, two: in
-  // the mean much less than the share of independent samples that chance misplaces.
+  // the mean much less than the fraction of independent samples that chance misplaces.
   EXPECT_LT(squares, 0.25 * variances);
 }
 

@@ -159,9 +159,9 @@ protected:
     return (2.0 / side) * glm::dvec2(pixel % side + x, pixel / side + y) - 1.0;
   }
 
-  // Independent times make each sample of each pixel a coin that shows a glyph with the share of the shutter's opening
-  // for which one covers the sample's position; that share is given. The sum over pixels of squared deviations over
-  // variances is then chi-squared. Fails by chance once in 10,000.
+  // Independent times make each sample of each pixel a coin that shows a glyph with the fraction of the shutter's
+  // opening for which one covers the sample's position; that fraction is given. The sum over pixels of squared
+  // deviations over variances is then chi-squared. Fails by chance once in 10,000.
   void ExpectCoverage(const std::function<double(glm::dvec2)>& share)
   {
     this->settings.independentSamples = true;
@@ -200,7 +200,7 @@ protected:
   }
 };
 
-// The share of times, of so many evenly spread, at which the only glyph lies on the ray along -z.
+// The fraction of times, of so many evenly spread, at which the only glyph lies on the ray along -z.
 class BruteForce
 {
 public:

@@ -94,7 +94,7 @@ protected:
   }
 };
 
-// Positions that go apart from the middle while it goes along a parabola: a box at all times, of which `At` knows the
+// Positions that go apart from the middle while it goes along a parabola: a box at all times, of which `At` gives the
 // size.
 struct GrowingBox
 {

@@ -1,4 +1,4 @@
-// Rays at which plain arithmetic cannot tell how the surface of a polynomial goes on: found among millions of hard
+// Rays for which plain arithmetic cannot decide how the surface of a polynomial goes on: found among millions of hard
 // cases.
 #include "Measure.h"
 

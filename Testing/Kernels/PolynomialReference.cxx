@@ -44,7 +44,7 @@ std::vector<Quad> Product(const std::vector<Quad>& a, const std::vector<Quad>& b
   return product;
 }
 
-/// The root in a bracket: Newton's method, with bisection where that leaves it or dawdles.
+/// The root in a bracket: Newton's method, with bisection where that leaves it or stalls.
 template <class Number>
 Number Root(
   const std::vector<Number>& polynomial, const std::vector<Number>& derivative, Number low, Number high, Number least)

@@ -25,7 +25,7 @@ struct Line
 
   std::size_t Pieces() const { return this->points.size() - 1; }
 
-  /// `joined`: it knows the pieces before and after it.
+  /// `joined`: it has the pieces before and after it.
   typename Kernel::Glyph Piece(std::size_t i, bool joined) const
   {
     const glm::dvec3 way = this->points[i + 1] - this->points[i],

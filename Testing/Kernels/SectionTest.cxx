@@ -74,7 +74,7 @@ TEST_P(SectionTest, NothingCutIsNothingChanged)
   }
 }
 
-// Caps have the color, the number and the light of a plane, and the shells behind them nobody sees.
+// Caps have the color, the number and the light of a plane, and hide the shells behind them.
 TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
 {
   rtg::Material red;
@@ -120,7 +120,7 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
   red.ambient = 1.0f;
   red.diffuse = 0.0f;
   expect({ 1, 1, 0 }, { 1, 1, 0 });
-  // Bad cuts have words.
+  // Bad cuts give a message.
   section.planes[0].normal = glm::dvec3(0.0);
   EXPECT_NE(
     MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("normal of length 0.0"), std::string::npos);
@@ -155,8 +155,8 @@ TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
   }
 }
 
-// Inside of a sphere each point sees each other one under the same cosine: of the sky it sees the share of the sphere's
-// area that is not there.
+// Inside of a sphere each point sees each other one under the same cosine: of the sky it sees the fraction of the
+// sphere's area that is not there.
 TEST_P(SectionTest, OpenedSpheresAreDarkAsTheirOpeningsSay)
 {
   const auto set = this->Add(Shape::Sphere, { glm::vec3(0.0f) }, { glm::vec3(1.9f) }, White());

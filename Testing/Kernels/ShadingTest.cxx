@@ -237,8 +237,8 @@ TEST(Principled, ScattersAsItEvaluates)
         dense[region(other)] += value;
         dense2[region(other)] += value * value;
       }
-      // What roulette takes for the share of the light that comes back is so to a fifth: it leaves out what roughness
-      // does.
+      // What roulette takes for the fraction of the light that comes back is so to a fifth: it leaves out what
+      // roughness does.
       const double albedo = std::accumulate(drawn, drawn + rings * sectors, 0.0) / count;
       EXPECT_NEAR(rtg::shading::AlbedoSeen(c.surface, z).g, albedo, 0.2) << c.name << ", z " << z;
       for (int k = 0; k < rings * sectors; ++k)

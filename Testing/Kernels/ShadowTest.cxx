@@ -53,8 +53,8 @@ protected:
     return this->camera.depthA - this->camera.depthB * start.y / this->camera.forward.y;
   }
 
-  // Of a ball that shines, the share of its solid angle from a place on the floor that another ball leaves free; or of
-  // the light that arrives there.
+  // Of a ball that shines, the fraction of its solid angle from a place on the floor that another ball leaves free; or
+  // of the light that arrives there.
   static double FreeShare(const glm::dvec3& from, const glm::dvec3& shining, double radius, const glm::dvec3& ball,
     double ballRadius, bool ofLight)
   {
@@ -133,7 +133,7 @@ TEST_F(ShadowTest, BallOfLightAboveABall)
   }
 }
 
-// Translucent glyphs dim light by their opacity, headlights and lights that are told not to cast no shadow, and
+// Translucent glyphs dim light by their opacity, headlights and lights with shadows switched off cast none, and
 // nothing shadows itself: such images are those without shadows.
 TEST_F(ShadowTest, WhatCastsNone)
 {
@@ -187,7 +187,7 @@ TEST_F(ShadowTest, WhatCastsNone)
   EXPECT_TRUE(same());
 }
 
-// The ground shows the share of its light that a ball keeps from it, and nothing else.
+// The ground shows the fraction of its light that a ball keeps from it, and nothing else.
 TEST_F(ShadowTest, GroundCatchesShadows)
 {
   this->Add(Shape::Sphere, { { 0, 1, 0 } }, { glm::vec3(0.8f) }, White());

@@ -56,7 +56,7 @@ TEST_P(ShapeNumericsTest, FloatAndDouble)
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
 
 /// Nested superquadrics, of tensors and of two exponents: in float. Powers and logarithms (WordFunctions.glsl) have
-/// not the digits that double words of doubles would need at grazing angles; ShapeErrorTable tells what those reach.
+/// not the digits that double words of doubles would need at grazing angles; ShapeErrorTable measures what those reach.
 class NestedNumericsTest : public ShapeNumericsTest
 {
 };
@@ -131,7 +131,7 @@ TEST(NestedRaysTest, AWindowIsNotCutAtItsEndForEver)
 }
 
 /// Nearly in the plane of an end, where plain arithmetic knows nothing of the profile: the steps of that piece run out,
-/// and the signs at its ends tell that the ray enters in it.
+/// and the signs at its ends prove that the ray enters in it.
 TEST(NestedRaysTest, APieceThatTakesTooManyStepsIsAnswered)
 {
   ExpectHitOfNested({ 0.456414253f, -0.195864558f, -0.057646431f }, { 0.659690499f, 0.719446659f, 0.696018875f },

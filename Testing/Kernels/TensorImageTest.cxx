@@ -116,7 +116,7 @@ private:
   }
 };
 
-/// The rays of a small image in parallel projection, from a direction that is nobody's axis.
+/// The rays of a small image in parallel projection, from a direction that is no glyph's axis.
 constexpr int side = 6;
 const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.48, 0.36, -0.8));
 

@@ -212,7 +212,7 @@ TEST_F(TracerTest, AnotherScenesImageIsNotGoneOnWith)
   };
   for (int attempt = 0; attempt < 10; ++attempt)
   {
-    this->UseOwnTracer(); // which does not know yet that one launch would do
+    this->UseOwnTracer(); // which has not measured yet that one launch suffices
     auto first = makeScene();
     const Image image = this->tracer->Trace(
       *first, this->camera, this->lights, this->settings, rtg::Pass::Opaque, [](double) { return true; });

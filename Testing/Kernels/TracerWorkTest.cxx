@@ -215,7 +215,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
   vulkan.cpu = cpu;
 }
 
-/// What a progress callback does with the device does not wait for the uploads that it tells of.
+/// What a progress callback does with the device does not wait for the uploads that it reports.
 TEST_F(TracerTest, AnImageTracedWhileGlyphsAreSentIsTheSame)
 {
   auto& vulkan = this->device->GetState();

@@ -405,7 +405,7 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
     for (std::size_t at = 0; at < means.size(); ++at)
     {
       const glm::dvec2 place = 0.7 * this->PixelCentre(at);
-      double passing = 1.0;
+      double transmittance = 1.0;
       unsigned layers = 0;
       bool unclear = false;
       for (std::size_t i = 0; i < centres.size(); ++i)
@@ -417,14 +417,14 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
         {
           if (half >= 0.0 && (!wall || z > wallZ))
           {
-            passing *= 1.0 - (colours[i] >> 24) / 255.0;
+            transmittance *= 1.0 - (colours[i] >> 24) / 255.0;
             ++layers;
           }
         }
       }
       judged += !unclear;
       deep += layers > 24;
-      wrong += !unclear && std::abs(means[at].a - (1.0 - passing)) > 1.0 / 512.0;
+      wrong += !unclear && std::abs(means[at].a - (1.0 - transmittance)) > 1.0 / 512.0;
     }
     EXPECT_GT(judged, 3000u);
     EXPECT_GT(deep, wall ? 50u : 500u);

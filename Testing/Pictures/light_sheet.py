@@ -2,7 +2,7 @@
 and what can be measured of it.
 
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython light_sheet.py DATA-FOLDER OUTPUT-FOLDER [SIDE [SAMPLES]]
-DATA-FOLDER: the clone's Data. Printed for each picture: mean level of what is covered, share of it darker than 0.1 and as bright as
+DATA-FOLDER: the clone's Data. Printed for each picture: mean level of what is covered, fraction of it darker than 0.1 and as bright as
 white, and of Ambient Occlusion and Path Tracing the mean over that of Local.
 """
 import os
@@ -19,7 +19,7 @@ MODES = ("Local", "Ambient Occlusion", "Path Tracing")
 
 
 def ball(data, folder, view):
-    """A grey ball."""
+    """A gray ball."""
     shown = pv.Show(pv.PointSource(NumberOfPoints=1), view)
     shown.SetRepresentationType(simulation.REPRESENTATION)
     shown.ScaleFactor = 1.0

@@ -30,7 +30,7 @@ COLOURS = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 
 
 
 def chamber(folder, view):
-    """(source, arrays, sphere diameter, shutter time, arrow factor, colour limits) of the injection."""
+    """(source, arrays, sphere diameter, shutter time, arrow factor, color limits) of the injection."""
     wall = pv.Show(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), view)
     wall.SetRepresentationType("Ray Traced Surface")
     wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.92, 0.93, 0.95], [0.92, 0.93, 0.95]
@@ -88,7 +88,7 @@ def show(look, source, arrays, diameter, shutter, factor, limits, view):
 
 
 def colour_by_speed(shown, velocity, limits):
-    """Colours by the magnitude of the velocity."""
+    """Colors by the magnitude of the velocity."""
     pv.ColorBy(shown, ("POINTS", velocity, "Magnitude"), True)
     table = pv.GetColorTransferFunction(velocity, shown, separate=True)
     table.RGBPoints, table.ColorSpace = list(COLOURS), "RGB"

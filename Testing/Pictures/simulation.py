@@ -57,7 +57,7 @@ def number_format():
 
 
 def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
-    """Colours by an array's component, with a scalar bar whose lower left corner is at place (fractions of the view)."""
+    """Colors by an array's component, with a scalar bar whose lower left corner is at place (fractions of the view)."""
     pv.ColorBy(shown, ("POINTS", array, component), True)
     scalar_bar(pv.GetColorTransferFunction(array, shown, separate=True), shown, view, limits, preset, title, place)
 
@@ -76,7 +76,7 @@ def scalar_bar(table, shown, view, limits, preset, title, place):
 
 
 def spheres(impact, view):
-    """The grains as spheres of their diameter, coloured by speed."""
+    """The grains as spheres of their diameter, colored by speed."""
     shown = show(impact, view, "Sphere", Orient=0, SelectScaleArray="diameter",
                  ScaleMode="Magnitude", ScaleFactor=1.0)
     colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma", "speed")
@@ -84,7 +84,7 @@ def spheres(impact, view):
 
 
 def arrows(impact, view):
-    """The grains' velocities as arrows, coloured by their upward part."""
+    """The grains' velocities as arrows, colored by their upward part."""
     shown = show(impact, view, "Arrow", ArrowHeads="Fixed", Orient=1, SelectOrientationVectors="velocity",
                  OrientationMode="Direction", SelectScaleArray="velocity",
                  ScaleMode="Magnitude", ScaleFactor=0.3, ArrowReferenceMagnitude=2.0,

@@ -57,7 +57,7 @@ def grain_stress(view, data, _):
 
 
 def fibres(view, points, tensors, share, layout, spacing):
-    """Tensors of diffusion, where the share of fibres is large enough, by their principal direction."""
+    """Tensors of diffusion, where the fraction of fibers is large enough, by their principal direction."""
     inside = share > 0.5
     largest = numpy.quantile(norms(tensors[inside]), 0.9)
     show(source(points[inside], d=tensors[inside]), view, "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout=layout,
@@ -65,7 +65,7 @@ def fibres(view, points, tensors, share, layout, spacing):
 
 
 def helix(view, data, folder):
-    """Fibres along a helix."""
+    """Fibers along a helix."""
     points, arrays = arrays_of(written_by("helix.py", data, folder))
     fibres(view, points, arrays["diffusion"], arrays["bundle"], "xx yy zz xy yz xz", 2.0 / 23)
     look(view, (2.6, -3.0, 1.9), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))

@@ -254,7 +254,7 @@ extern "C"
   // 1: a menu's action is on its way.
   Q_DECL_EXPORT int probe_trigger(const char* name)
   {
-    // Menus that are closed have actions of the same names, which nobody disables.
+    // Menus that are closed have actions of the same names, which are never disabled.
     QList<QAction*> actions;
     for (QWidget* window : QApplication::topLevelWidgets())
     {

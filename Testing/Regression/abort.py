@@ -1,5 +1,5 @@
-"""A long trace asks the window whether to go on, and ends when the window says no; the view goes on afterwards. Whoever is
-asked may draw: the picture stays the same.
+"""A long trace asks the window whether to go on, and ends when the window says no; the view goes on afterwards. The
+abort callback may draw: the picture stays the same.
 
 Usage: pvpython abort.py
 """

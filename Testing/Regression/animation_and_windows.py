@@ -142,9 +142,9 @@ def multisampled(folder):
         print("%d samples, glyphs first against last: %.3f%%, mean %.4f" % (samples, 100 * share, mean))
         if mean > 0.0:
             failures.append("%d samples: the order of the representations shows" % samples)
-    # Four samples know a glyph's share of a pixel in quarters of the contrast, which is at most 255; how the share is
+    # Four samples resolve a glyph's fraction of a pixel in quarters of the contrast, which is at most 255; how the fraction is
     # rounded is up to the driver.
-    # Colours inside are the same. With the surface, that one's own edges are smooth in addition.
+    # Colors inside are the same. With the surface, that one's own edges are smooth in addition.
     for what, plain, smooth, allowed in (("alone", alone[0], alone[4], 0.0005),
                                          ("with a surface", pictures[0, True], pictures[4, True], 0.01)):
         apart = numpy.abs(plain.astype(int) - smooth.astype(int)).max(axis=2)

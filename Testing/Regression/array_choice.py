@@ -82,11 +82,11 @@ def choices(checks):
 
 
 def cells(checks):
-    """With GlyphLocation the arrays are chosen among those of the cells, unless somebody has chosen one that is there."""
+    """With GlyphLocation the arrays are chosen among those of the cells, unless the user has chosen one that exists."""
     view = session.view(40, 30)
     source = pv.Calculator(Input=pv.PointDatatoCellData(Input=pv.Wavelet(WholeExtent=[0, 3] * 3), PassPointData=1),
                            AttributeType="Cell Data", Function="RTData*iHat", ResultArrayName="force")
-    for name, explicit, wanted in (("chosen by nobody", None, "force"), ("chosen", "None", "None"), ("chosen, wrong", "nonesuch", "nonesuch")):
+    for name, explicit, wanted in (("not chosen", None, "force"), ("chosen", "None", "None"), ("chosen, wrong", "nonesuch", "nonesuch")):
         shown = session.glyphs(source, view, GlyphLocation="Points")
         checks.equal("SelectOrientationVectors of points, " + name, shown.SMProxy.GetProperty("SelectOrientationVectors").GetElement(0), "None")
         shown.GlyphLocation = "Cells"

@@ -47,8 +47,8 @@ class Checks:
                                  % (what, 100 * share, comparison.LEVELS, 100 * pixels, average, mean))
 
     def covered(self, what, found, low, high=1.0):
-        """A picture of which that share of the pixels is not background."""
-        self.within(what + ": covered share of the picture", round(float(comparison.covered(found).mean()), 4), low, high)
+        """A picture of which that fraction of the pixels is not background."""
+        self.within(what + ": covered fraction of the picture", round(float(comparison.covered(found).mean()), 4), low, high)
 
     def no_message(self, what, text):
         """ParaView has said nothing."""

@@ -17,7 +17,7 @@ import export
 import parallel
 import session
 
-#: share of the pixels that may differ: those on outlines, where another order of the points rounds another way
+#: fraction of the pixels that may differ: those on outlines, where another order of the points rounds another way
 OUTLINE = 0.0002
 #: megabytes of geometry above which ParaView renders on the server: always, never
 REMOTE, CLIENT = 0.0, 20.0

@@ -2,7 +2,7 @@
 
 A picture passes against its baseline when at most PIXELS of its pixels differ by more than LEVELS in some channel, and the
 mean absolute difference over all pixels and channels is at most MEAN (levels are of 255). Rasterised edges of other
-geometry, another Mesa and float rounding flip single pixels; a wrong shape, colour or depth changes areas.
+geometry, another Mesa and float rounding flip single pixels; a wrong shape, color or depth changes areas.
 """
 import os
 import shutil
@@ -28,7 +28,7 @@ def write_image(path, pixels):
 
 
 def difference(left, right):
-    """(share of pixels that differ by more than LEVELS, mean absolute difference, absolute differences)."""
+    """(fraction of pixels that differ by more than LEVELS, mean absolute difference, absolute differences)."""
     apart = numpy.abs(left.astype(int) - right.astype(int))
     return float((apart.max(axis=2) > LEVELS).mean()), float(apart.mean()), apart
 
@@ -66,7 +66,7 @@ def covered(pixels):
 def against_paraview(ours, theirs, name, silhouette=0.005, colour=2.0):
     """List of failures of ray-traced glyphs against ParaView's 3D Glyphs of the same scene.
 
-    silhouette: allowed share of the pixels covered in one picture only. colour: allowed mean absolute difference, in
+    silhouette: allowed fraction of the pixels covered in one picture only. colour: allowed mean absolute difference, in
     levels of 255, over the pixels covered in both. Keeps the difference (times 8) beside both pictures.
     """
     mask, their_mask = covered(ours), covered(theirs)
@@ -75,13 +75,13 @@ def against_paraview(ours, theirs, name, silhouette=0.005, colour=2.0):
     both = mask & their_mask
     mean = float(apart[both].mean()) if both.any() else 255.0
     write_image(session.output(name + "-difference.png"), 8 * apart)
-    print("%s: silhouettes differ on %.3f%% of the pixels, colour by %.3f levels over %d pixels"
+    print("%s: silhouettes differ on %.3f%% of the pixels, color by %.3f levels over %d pixels"
           % (name, 100 * outline, mean, both.sum()))
     failures = []
     if outline > silhouette:
         failures.append("%s: silhouettes differ on %.3f%% of the pixels (allowed %.3f%%)" % (name, 100 * outline, 100 * silhouette))
     if mean > colour:
-        failures.append("%s: colours differ by %.3f levels (allowed %.3f)" % (name, mean, colour))
+        failures.append("%s: colors differ by %.3f levels (allowed %.3f)" % (name, mean, colour))
     if both.mean() < 0.02:
         failures.append("%s: only %.2f%% of the picture is covered" % (name, 100 * both.mean()))
     return failures

@@ -15,7 +15,7 @@ SHARE, MEAN = 0.001, 0.2
 
 
 def grid():
-    """3 x 3 spheres in the plane z = 0, coloured by column."""
+    """3 x 3 spheres in the plane z = 0, colored by column."""
     x, y = numpy.meshgrid([-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0])
     points = numpy.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)
     return session.source(session.poly_data(points, column=points[:, 0]))

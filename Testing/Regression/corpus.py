@@ -17,7 +17,7 @@ from checks import Checks, stepwise
 
 RANDOM = numpy.random.default_rng(5)
 WIDTH, HEIGHT, COLUMNS = 240, 180, 5
-#: share of the picture that glyphs cover
+#: fraction of the picture that glyphs cover
 LEAST, MOST = 0.02, 0.75
 
 
@@ -252,7 +252,7 @@ class Row:
             checks.true("%s: no '%s' in: %s" % (self.name, word, reasons), word in reasons)
         pixels = session.capture(view, "corpus-picture")
         covered = float(comparison.covered(pixels).mean())
-        checks.within(self.name + ": covered share", covered, LEAST, MOST)
+        checks.within(self.name + ": covered fraction", covered, LEAST, MOST)
         print("%-34s %4.1f %%  factor %-9.4g %5d glyphs. %s" % (self.name, 100 * covered, shown.ScaleFactor, counted["glyphs"], reasons), flush=True)
         pv.Delete(shown)
         pv.Delete(source)

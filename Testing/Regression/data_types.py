@@ -1,4 +1,4 @@
-"""Every kind of data set with points draws its glyphs; blocks keep their visibility and colours.
+"""Every kind of data set with points draws its glyphs; blocks keep their visibility and colors.
 
 Usage: pvpython data_types.py
 For each kind the glyphs of eight known points must be where those points are.
@@ -148,7 +148,7 @@ def kinds(view):
 
 
 def block_attributes(view, shown):
-    """Hiding and colouring one block of a multiblock, whose display is deleted then."""
+    """Hiding and coloring one block of a multiblock, whose display is deleted then."""
     failures = []
     for selector, expected in (("/Root/half0", CORNERS[:, 2] < 0), ("/Root/half1", CORNERS[:, 2] > 0)):
         shown.BlockSelectors = [selector]
@@ -163,7 +163,7 @@ def block_attributes(view, shown):
     column, row = pixel(CORNERS[7], pixels.shape[1], pixels.shape[0])
     first_column, first_row = pixel(CORNERS[0], pixels.shape[1], pixels.shape[0])
     if pixels[row, column, 2] <= pixels[row, column, 0] or pixels[first_row, first_column, 2] >= pixels[first_row, first_column, 0]:
-        failures.append("BlockColors: colours are %s and %s" % (pixels[row, column], pixels[first_row, first_column]))
+        failures.append("BlockColors: colors are %s and %s" % (pixels[row, column], pixels[first_row, first_column]))
     return failures
 
 

@@ -73,7 +73,7 @@ def softer(change):
 
 
 def caught(low, high, tilt=False):
-    """The background is darker, but no lighter anywhere, in at least such a share of the picture; glyphs stay."""
+    """The background is darker, but no lighter anywhere, in at least such a fraction of the picture; glyphs stay."""
     def claim(change):
         if tilt:
             session.look(change.bench.view, (0.0, 5.0, 10.0), parallel_scale=SCENES[change.row.scene][2])
@@ -84,7 +84,7 @@ def caught(low, high, tilt=False):
         change.within("change of what glyphs cover", numpy.abs(change.after - change.before)[inside].max(), 0.0, 0.0)
         lost = (change.before - change.after).max(axis=2)
         change.within("light that the background gains", max(0.0, float(-(change.before - change.after).min())), 0.0, 1.5 / 255.0)
-        change.ratio("share of the picture that is darker", (lost > 0.02).mean(), low, high)
+        change.ratio("fraction of the picture that is darker", (lost > 0.02).mean(), low, high)
     return claim
 
 
@@ -118,7 +118,7 @@ def faded(change):
 def others(change):
     """The colors that are seen are not those of before."""
     seen = [set(map(tuple, numpy.unique(picture.reshape(-1, 3), axis=0).tolist())) for picture in (change.before, change.after)]
-    change.ratio("share of the glyphs that were seen before", len(seen[0] & seen[1]) / len(seen[0]), 0.0, 0.7)
+    change.ratio("fraction of the glyphs that were seen before", len(seen[0] & seen[1]) / len(seen[0]), 0.0, 0.7)
     change.checks.equal(change.name + ": glyphs", change.counted_after["glyphs"], change.counted_before["glyphs"])
     grows(change)
 

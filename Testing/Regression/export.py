@@ -1,5 +1,5 @@
 """Exported glyphs are those of the view: what is read back from .usda, .glb and .gltf has the data's places, sizes, turns and
-colors, and as ordinary triangles it gives the same picture; what cannot be exported is told once.
+colors, and as ordinary triangles it gives the same picture; what cannot be exported gives one message.
 
 Usage: pvpython export.py [CASE...]
 """
@@ -59,7 +59,7 @@ COPIES = {"capsules": 3, "arrows": 2, "sharp arrows": 2, "split vectors": 2}
 #: power of ten 0
 SPEEDS = numpy.linalg.norm(DIRECTIONS, axis=1)
 WITHOUT_SHAFT = {"arrows": int((SPEEDS < 0.35 * numpy.quantile(SPEEDS, 0.95)).sum()), "split vectors": int((SPEEDS >= 1.0).sum())}
-#: share of the pixels that may differ from the exact shapes, where facets are seen, and the mean of all differences
+#: fraction of the pixels that may differ from the exact shapes, where facets are seen, and the mean of all differences
 PIXELS, MEAN = 0.002, 0.3
 #: the same where each glyph has a form of its own, with fewer facets
 PIXELS_OF_FORMS, MEAN_OF_FORMS = 0.006, 0.7

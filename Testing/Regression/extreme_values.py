@@ -25,7 +25,7 @@ def counts(shown):
 
 
 def scales(checks):
-    """Lengths whose squares are no floats are told of, and no others, however far away something lies."""
+    """Lengths whose squares are no floats give a message, and no others, however far away something lies."""
     random = numpy.random.default_rng(2)
     places = random.uniform(-1.0, 1.0, (20, 3))
     for scale, outlier in ((1e-20, 0.0), (1e-12, 0.0), (1.0, 1e30), (1e15, 0.0), (1e21, 0.0)):

@@ -1,4 +1,4 @@
-"""What an image shows besides colours, as a file for scripts: depth, normal, albedo, ids, sample count.
+"""What an image shows besides colors, as a file for scripts: depth, normal, albedo, ids, sample count.
 
 Usage: pvpython features.py
 """
@@ -15,7 +15,7 @@ WIDTH, HEIGHT, SAMPLES = 121, 91, 4
 #: world units per pixel: parallel projection, 9.1 units high
 STEP = 0.1
 COLOURS = ((200, 40, 40), (40, 200, 40), (40, 40, 200))
-#: centres and diameter of the balls; the last lies behind the second
+#: centers and diameter of the balls; the last lies behind the second
 CENTRES = numpy.array([[-3.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -2.0]])
 DIAMETER = 2.0
 DISTANCE = 10.0  # of the camera from z = 0
@@ -78,7 +78,7 @@ def main():
     check(failures, "albedo of the left ball", seen["Albedo"][left], numpy.array(COLOURS[0]) / 255.0, 0.003)
     check(failures, "albedo of the middle ball", seen["Albedo"][middle], numpy.array(COLOURS[1]) / 255.0, 0.003)
     check(failures, "albedo of the wall", seen["Albedo"][right], (1, 1, 0), 0.003)
-    # In front of the centres; four samples spread over a pixel lie a little lower.
+    # In front of the centers; four samples spread over a pixel lie a little lower.
     for name, at, z in (("left", left, 1.0), ("middle", middle, 2.0), ("wall", right, 0.0)):
         check(failures, "view depth, " + name, seen["ViewDepth"][at], DISTANCE - z, 0.01)
         check(failures, "normal, " + name, seen["Normal"][at], (0, 0, 1), 0.05)

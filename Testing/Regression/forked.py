@@ -111,7 +111,7 @@ def line(connection):
 
 
 def prepare(plugin):
-    """What every script does first: loads the plugin, makes a view and a display. What ParaView knows by then of proxies stays."""
+    """What every script does first: loads the plugin, makes a view and a display. Proxies that ParaView has made by then stay."""
     import numpy  # noqa: F401
     import paraview.simple as pv
     from vtkmodules.numpy_interface import dataset_adapter  # noqa: F401
@@ -135,7 +135,7 @@ def serve():
     listener = socket.socket(socket.AF_UNIX)
     listener.bind(SOCKET)
     listener.listen(64)
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for those that watch a test
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no process waits for those that watch a test
     while True:
         connection, _ = listener.accept()
         first, streams, _, _ = socket.recv_fds(connection, 1, 3)

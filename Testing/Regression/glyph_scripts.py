@@ -11,7 +11,7 @@ import session
 from checks import Checks
 
 THEIRS, OURS = "3D Glyphs", session.REPRESENTATION
-#: share of the pixels that one of two pictures covers alone, and levels of 255 in the mean
+#: fraction of the pixels that one of two pictures covers alone, and levels of 255 in the mean
 SILHOUETTE, COLOR = 0.001, 1.5
 SIDE = 240
 RANDOM = numpy.random.default_rng(11)
@@ -160,7 +160,7 @@ def compare(checks, what, found, wanted):
     levels = numpy.abs(found[..., :3].astype(float) - wanted[..., :3]).mean()
     print("%s: silhouettes %.4f %%, colors %.2f levels apart" % (what, 100.0 * apart.mean(), levels), flush=True)
     checks.covered(what, wanted, 0.005)
-    checks.within(what + ": share of the silhouettes", float(apart.mean()), 0.0, SILHOUETTE)
+    checks.within(what + ": fraction of the silhouettes", float(apart.mean()), 0.0, SILHOUETTE)
     checks.within(what + ": levels of color", float(levels), 0.0, COLOR)
 
 

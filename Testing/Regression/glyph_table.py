@@ -1,6 +1,6 @@
 """Glyphs whose points choose their form from a table, against ParaView's 3D Glyphs with the same table.
 
-Also: numbers outside the table, picking, colours, hiding, another table, bad input.
+Also: numbers outside the table, picking, colors, hiding, another table, bad input.
 """
 import numpy
 import paraview.simple as pv

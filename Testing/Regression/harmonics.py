@@ -319,7 +319,7 @@ def bad_input(checks, view):
 
 
 def unfinished(checks, view):
-    """In a window nobody is warned of an array that has not been chosen yet; RenderStatistics tells. A script is told."""
+    """An array that has not been chosen yet: a window shows no message, only RenderStatistics; a script gets a warning."""
     data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)))
     stage = session.Stage(view)
     for in_window in (1, 0):
@@ -334,7 +334,7 @@ def unfinished(checks, view):
                 checks.no_message(what, text)
             else:
                 checks.one_message(what, text, name)
-            checks.true(what + ": what RenderStatistics tells", name in session.statistics(shown)["unfinished"])
+            checks.true(what + ": unfinished in RenderStatistics", name in session.statistics(shown)["unfinished"])
             checks.equal(what + ": glyphs", session.statistics(shown)["glyphs"], 0)
             stage.settings.add({name: array})
             pv.Render(view)

@@ -1,4 +1,4 @@
-"""Runs inside ParaView's window: with 'Hover Points On' and 'Hover Cells On' a tooltip tells of the glyph under the mouse.
+"""Runs inside ParaView's window: with 'Hover Points On' and 'Hover Cells On' a tooltip names the glyph under the mouse.
 
 Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=hovering.py
 Prints HOVERING TEST PASSED as its last line.
@@ -75,7 +75,7 @@ def main():
         checks.true("%s cannot be chosen" % action, window.wait(lambda action=action: window.trigger(action), LIMIT))
         window.wait(lambda: False, 0.3)
         for i in (0, 4):
-            checks.equal("%s: id that is told of point %d" % (action, i), told(window, view, PLACES[i]), of_point(i))
+            checks.equal("%s: id in the tooltip of point %d" % (action, i), told(window, view, PLACES[i]), of_point(i))
         window.trigger(action)
     return checks.failures
 

@@ -13,7 +13,7 @@ import comparison
 import session
 
 SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "catalyst_pipeline.py")
-#: share of the pixels that may differ where arrows of different ranks cross
+#: fraction of the pixels that may differ where arrows of different ranks cross
 CROSSING = 0.002
 
 

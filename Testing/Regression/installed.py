@@ -47,10 +47,10 @@ def without_loader(folder):
 
 
 def main(cmake, build, pvpython):
-    """Draws in a process of its own for each variable by which ParaView is told of plugins."""
+    """Draws in a process of its own for each variable that names plugins to ParaView."""
     failures = []
     manifest = os.path.join(build, "install_manifest_plugin.txt")
-    kept = manifest + ".kept"  # what somebody has installed from this folder can still be removed afterwards
+    kept = manifest + ".kept"  # what the user has installed from this folder can still be removed afterwards
     if os.path.exists(manifest):
         shutil.move(manifest, kept)
 

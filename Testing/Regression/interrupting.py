@@ -1,4 +1,4 @@
-"""Runs inside ParaView's window: what takes long tells its progress, answers to Esc and the Abort button, and goes on afterwards.
+"""Runs inside ParaView's window: long work reports its progress, reacts to Esc and the Abort button, and goes on afterwards.
 
 Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=interrupting.py
 Prints INTERRUPTING TEST PASSED as its last line.
@@ -67,7 +67,7 @@ def samples_of(shown):
 
 
 def progress_told(checks, view, shown):
-    """Progress is told, and the progress bar is painted, while a picture is captured: that is the same as otherwise."""
+    """Progress is reported, and the progress bar is painted, while a picture is captured; the picture stays the same."""
     shown.SamplesPerPixel = 24  # several launches on any machine
     pv.Render(view)
     expected = capture(view, "quick")
@@ -83,9 +83,9 @@ def progress_told(checks, view, shown):
     slow = capture(view, "slow")
     window.RemoveObserver(asked)
     handler.RemoveObserver(progress)
-    say("progress told while a picture is captured: %s" % told)
-    checks.true("no progress of tracing was told: %s" % told, "Ray Tracing" in told)
-    checks.picture("picture that was captured while progress was told", slow, expected)
+    say("progress reported while a picture is captured: %s" % told)
+    checks.true("no progress of tracing was reported: %s" % told, "Ray Tracing" in told)
+    checks.picture("picture that was captured while progress was reported", slow, expected)
     pv.Render(view)
     checks.picture("next picture", capture(view, "after"), expected)
 
@@ -103,7 +103,7 @@ def larger_than_window(checks, view, shown):
 
 
 def stopping(checks, window, view, shown, name, stop):
-    """Refinement shows its progress, ends when somebody stops it, and begins again with another camera."""
+    """Refinement shows its progress, ends when the user stops it, and begins again with another camera."""
     shown.SamplesPerPixel = MANY
     session.look(view, (1.0, len(name) / 20.0, 6.0))
     pv.Render(view)

@@ -17,7 +17,7 @@ LIMIT = 2 * 10**9
 
 
 def coverage(picture):
-    """Share of covered pixels of each block."""
+    """Fraction of covered pixels of each block."""
     side = picture.shape[0] // BLOCKS
     return comparison.covered(picture).reshape(BLOCKS, side, BLOCKS, side).mean(axis=(1, 3))
 

@@ -52,12 +52,12 @@ class Scene:
 
 
 def brightness(pixels, column, row):
-    """Mean level of a small patch around that share of the width and height."""
+    """Mean level of a small patch around that fraction of the width and height."""
     x, y = int(column * pixels.shape[1]), int(row * pixels.shape[0])
     return float(pixels[y - 2:y + 3, x - 2:x + 3, :3].mean())
 
 
-#: on the floor right in front of the ball, in front of the middle arrow, and far from both; shares of width and height
+#: on the floor right in front of the ball, in front of the middle arrow, and far from both; fractions of width and height
 NEAR_BALL, NEAR_ARROW, FAR = (0.36, 0.655), (0.65, 0.69), (0.80, 0.80)
 
 

@@ -64,7 +64,7 @@ def evenness(checks, stage, points):
         # Spheres of four pixels across cover about twelve; few overlap.
         found = seen[:, right].sum() / 12.0 / number
         print("%s: %d glyphs, %.2f of them right of the crowd, %.2f expected" % (mode, number, found, share))
-        checks.within(mode + ": share of the glyphs right of the crowd", found, 0.75 * share, 1.3 * share)
+        checks.within(mode + ": fraction of the glyphs right of the crowd", found, 0.75 * share, 1.3 * share)
     # No part of the square is empty: each of its 8 x 8 parts has some.
     seen = masked("parts", MaximumNumberOfGlyphs=256)[0]
     parts = seen.reshape(8, SIZE // 8, 8, SIZE // 8).any(axis=(1, 3))

@@ -25,7 +25,7 @@ SEED = int(os.environ.get("RTGLYPHS_SEED", datetime.date.today().strftime("%Y%m%
 LIMIT = 90.0
 #: bytes of the process in the end over those after the first steps: what is done again leaves nothing behind
 GROWTH = 1.5e9
-#: no more steps than in so many are told when something is wrong
+#: the number of last steps that a failure names
 TOLD = 5
 
 

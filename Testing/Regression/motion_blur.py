@@ -52,7 +52,7 @@ class Blur:
             self.failures.append(what)
 
     def streak(self, name, image, positions):
-        """The middle row around x = 0 must be covered for the share of the displacements, given over time, that it is."""
+        """The middle row around x = 0 must be covered for the fraction of the displacements, given over time, that it is."""
         found = opacity(image, 50)[150:250]
         # Means over the pixels of this row, the first below the axis.
         half = numpy.sqrt(0.1 ** 2 - ((numpy.arange(4) + 0.5) / 400.0) ** 2)
@@ -209,7 +209,7 @@ def from_data(checks):
 
 
 def of_others(checks):
-    """The same of surfaces, in shares of their size, and of tubes, in shares of theirs; over time, and between two steps."""
+    """The same of surfaces, in fractions of their size, and of tubes, in fractions of theirs; over time, and between two steps."""
     view = session.view(160, 120)
     moved = pv.Calculator(Input=pv.Plane(XResolution=9, YResolution=9), Function="500*iHat", ResultArrayName="velocity")
     lines = pv.Calculator(Input=pv.Line(Resolution=9), Function="500*iHat", ResultArrayName="velocity")

@@ -55,7 +55,7 @@ class Streaks:
             self.failures.append(what)
 
     def streak(self, name, left, right, **properties):
-        """The middle row must be covered for the share of the times at which it lies between left and right of any."""
+        """The middle row must be covered for the fraction of the times at which it lies between left and right of any."""
         self.set(**properties)
         image = session.capture(self.view, "motion-mesh-" + name.replace(" ", "-"))
         # The background's green is 0.

@@ -124,7 +124,7 @@ def undo(checks, view, shown):
     stack, builder = vtkSMUndoStack(), vtkSMUndoStackBuilder()
     builder.SetUndoStack(stack)
     vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(builder)
-    shown.SamplesPerPixel = 5  # the first change after a stack is there only tells it what was
+    shown.SamplesPerPixel = 5  # the first change after a stack is there only gives it the old values
     for name in ("Fast", "Balanced", "Publication"):
         before = values(shown, QUALITY)
         builder.Begin(name)

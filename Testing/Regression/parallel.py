@@ -17,7 +17,7 @@ import session
 import step_velocity
 
 SIDE = 11
-#: share of the pixels that may differ where smooth edges of different ranks' glyphs cross, or lie before another rank's rasterized surface
+#: fraction of the pixels that may differ where smooth edges of different ranks' glyphs cross, or lie before another rank's rasterized surface
 CROSSING, RASTERIZED = 0.001, 0.002
 #: the same where glyphs of different ranks cut each other everywhere
 CUTTING = 0.01
@@ -145,7 +145,7 @@ def together(view, ranks, failures):
 
 
 def light(view, ranks, failures):
-    """What ParallelLight promises: bounded and unbounded occlusion, paths, shadows of lights."""
+    """ParallelLight: bounded and unbounded occlusion, paths, shadows of lights."""
     shown = cluster(view)
     arrived = {}
     # Rays start from places that differ in their last bits, or, with copies of everything, in none.

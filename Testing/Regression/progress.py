@@ -1,4 +1,4 @@
-"""Gathering many points, building their glyphs and sorting them tell ParaView's progress bar; few points tell it nothing.
+"""Gathering many points, building their glyphs and sorting them report to ParaView's progress bar; few points do not.
 
 Usage: pvpython progress.py
 """
@@ -9,7 +9,7 @@ import session
 from checks import Checks
 
 TEXTS = ("Gathering points", "Building glyphs")
-TIMED = ("Sorting Glyphs",)  # told once a frame has taken some tenths of a second
+TIMED = ("Sorting Glyphs",)  # reported once a frame has taken some tenths of a second
 
 
 def blocks(count):
@@ -43,8 +43,8 @@ def main():
         for text in TEXTS + (TIMED if wanted else ()):
             shares = [share for what, share in told if what and text in what]
             print("%d points, %s: %s" % (count, text, shares))
-            checks.equal("%d points: %s is told" % (count, text), bool(shares), wanted)
-            checks.true("%s: %s is no rising share of 100" % (text, shares), shares == sorted(shares) and all(0 <= s <= 100 for s in shares))
+            checks.equal("%d points: %s is reported" % (count, text), bool(shares), wanted)
+            checks.true("%s: %s is no rising fraction of 100" % (text, shares), shares == sorted(shares) and all(0 <= s <= 100 for s in shares))
         pv.Delete(view)
     checks.report()
 

@@ -1,6 +1,6 @@
 """What a change of a property does, in stated terms: scenes whose pictures are known, and claims about pictures and numbers.
 
-A claim is a function of a Change: it looks at what is shown before and after, and tells the checks what does not hold.
+A claim is a function of a Change: it looks at what is shown before and after, and reports to the checks what does not hold.
 """
 import numpy
 import paraview.simple as pv
@@ -21,7 +21,7 @@ FORMS = {GLYPHS: "points", "3D Glyphs": "points", TUBES: "lines"}
 SIDE = 100
 #: levels in [0, 1] by which pictures and closed forms may differ: rounding, and the noise of paths
 LEVEL = 3.0 / 255.0
-#: share by which areas, and lengths in world units by which places may differ
+#: fraction by which areas, and lengths in world units by which places may differ
 AREA, LENGTH = 0.02, 0.01
 #: pixels that must change, or a picture that equals another one would say nothing
 CHANGED = 20
@@ -43,7 +43,7 @@ START = {"ColorArrayName": [None, ""], "AmbientColor": [0.8] * 3, "DiffuseColor"
 START_OF_GLYPHS = {"GlyphType": "Sphere", "Orient": 0, "Scaling": 1}
 #: what shows its own color and nothing else
 UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
-#: the same in white: its green tells how far it covers a pixel of the background, which has none
+#: the same in white: its green is how far it covers a pixel of the background, which has none
 WHITE = {**UNLIT, "AmbientColor": [1.0] * 3, "DiffuseColor": [1.0] * 3, "SamplesPerPixel": 16}
 
 
@@ -133,7 +133,7 @@ MAKERS = {"points": points_of, "lines": lines_of, "polygons": polygons_of}
 
 
 def data_of(scene, kind, time=0.0):
-    """A scene for that kind of display; with time it moves along x. "point" tells which point is which over time, "changing" does not."""
+    """A scene for that kind of display; with time it moves along x. "point" identifies points over time, "changing" does not."""
     make = MAKERS[FORMS.get(kind, "polygons")]
     centers = numpy.array(SCENES[scene][0], dtype=float) + [0.5 * time, 0.0, 0.0]
     parts = [make(scene, centers[i:i + 1]) for i in range(len(centers))] if scene == "blocks" else [make(scene, centers)]

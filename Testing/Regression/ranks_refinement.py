@@ -33,7 +33,7 @@ def against_one_rank(checks, name, pixels):
 
 
 def capture(view, name):
-    """A screenshot whose name tells the number of ranks."""
+    """A screenshot whose name has the number of ranks."""
     return session.capture(view, "ranks-" + name + ("" if RANKS == 1 else "-%d" % RANKS))
 
 

@@ -16,7 +16,7 @@ import comparison
 import session
 from checks import Checks
 
-#: share of a surface's points that may lie where nothing is seen, and of the seen pixels that may lie off the surface: both
+#: fraction of a surface's points that may lie where nothing is seen, and of the seen pixels that may lie off the surface: both
 #: are where a pixel's center, or one point among many, decides
 OUTSIDE, UNEXPLAINED = 0.002, 0.005
 #: directions in which points of a surface are taken, and of a surface among very many
@@ -111,7 +111,7 @@ def see_through(case, picture, checks):
     without = session.capture(case["view"], "recipe-without-lower", ImageResolution=[400, 300]).astype(int)
     columns, rows = pixels_of(spheres(case["positions"], case["means"] - 2.0 * case["deviations"]), case["view"], 400, 300)
     changed = grown(numpy.abs(picture.astype(int) - without).max(axis=2) > 8, 1)
-    checks.within("share of the lower bounds that is seen", float(changed[rows, columns].mean()), 1.0 - OUTSIDE, 1.0)
+    checks.within("fraction of the lower bounds that is seen", float(changed[rows, columns].mean()), 1.0 - OUTSIDE, 1.0)
 
 
 def pixels_of(points, view, width, height):
@@ -162,10 +162,10 @@ def recipe(name, page, checks):
     unexplained = float((seen & ~grown(mask, 2)).sum() / max(seen.sum(), 1))
     print("%-24s %5d glyphs, %4.1f %% covered, %.4f of the surface outside, %.4f of the picture unexplained"
           % (name, count, 100 * seen.mean(), outside, unexplained), flush=True)
-    checks.within(name + ": share of the surfaces that is not seen", outside, 0.0, OUTSIDE)
-    checks.within(name + ": covered share of the picture", float(seen.mean()), 0.02, 0.8)
+    checks.within(name + ": fraction of the surfaces that is not seen", outside, 0.0, OUTSIDE)
+    checks.within(name + ": covered fraction of the picture", float(seen.mean()), 0.02, 0.8)
     if complete:
-        checks.within(name + ": share of the picture that is no surface", unexplained, 0.0, UNEXPLAINED)
+        checks.within(name + ": fraction of the picture that is no surface", unexplained, 0.0, UNEXPLAINED)
     if "lower" in case:
         see_through(case, picture, checks)
     pv.Delete(view)

@@ -26,7 +26,7 @@ LIMIT = 120.0
 
 
 def told(shown):
-    """What the client knows since the last render."""
+    """The client's information since the last render."""
     return json.loads(shown.SMProxy.GetProperty("RenderStatistics").GetElement(0))
 
 
@@ -111,7 +111,7 @@ def main():
     window.wait(lambda: False, 1.0)
     if state(shown) != turning:
         failures.append("the image was refined while the camera was turned")
-    # A coarse image has no sample of every pixel; before the first one a coarser one tells what rays cost.
+    # A coarse image has no sample of every pixel; before the first one a coarser one measures what rays cost.
     if turning[1] > before[1] + 2 or turning[1] == before[1] or turning[0] != 0:
         failures.append("a turn of the camera took %s to %s samples and images" % (before, turning))
     window.mouse("Viewport", "release", (100, 100))

@@ -1,5 +1,5 @@
 """Choosing 'Ray Traced Glyphs' gives a useful picture of any data with nothing set but the shape and the switch of scaling: the
-glyphs cover a sensible share of the view, none is larger than a fifth of it, and nothing is said.
+glyphs cover a sensible fraction of the view, none is larger than a fifth of it, and nothing is said.
 
 The pictures lie together in right-at-once.png, in the order of what is printed.
 
@@ -20,9 +20,9 @@ from checks import Checks
 
 WIDTH, HEIGHT = 240, 180
 COLUMNS = 8
-#: shares of the view that all glyphs together must cover, and of its shorter side that the largest may have
+#: fractions of the view that all glyphs together must cover, and of its shorter side that the largest may have
 LEAST, MOST, LARGEST = 0.01, 0.6, 0.2
-#: data of which nobody can see much, because they are in few places or along a line, or more -> share that they must cover
+#: data that cover little, because they are in few places or along a line, or more -> fraction that they must cover
 SHARES = {"graded mesh": 0.1, "clusters": 0.008, "stretched grid": 0.004, "tensors": 0.003}
 #: what has one glyph, which fills the view that is reset to it
 SINGLE = ("one point", "coincident points")
@@ -115,7 +115,7 @@ def magnitude(source, shown, shape):
 
 
 def largest_glyph(source, shown, shape, view):
-    """The size of the largest glyph as a share of the view's shorter side in the distance of the focal point."""
+    """The size of the largest glyph as a fraction of the view's shorter side in the distance of the focal point."""
     size = shown.ScaleFactor * magnitude(source, shown, shape)
     limit = shown.SMProxy.GetProperty("ScaleFactorGuess").GetElement(1)
     size = limit if 0.0 < limit < size else size  # a ProgrammableSource has given this module another min()
@@ -139,7 +139,7 @@ def picture(what, source, properties, view, checks):
     largest = largest_glyph(source, shown, shape, view)
     print("%-26s factor %-10.4g covers %4.1f %%, largest glyph %4.1f %% of the view"
           % (what, shown.ScaleFactor, 100 * covered, 100 * largest), flush=True)
-    checks.within(what + ": covered share of the view", round(covered, 4), SHARES.get(what, LEAST), MOST)
+    checks.within(what + ": covered fraction of the view", round(covered, 4), SHARES.get(what, LEAST), MOST)
     checks.true("%s: the largest glyph is %.0f %% of the view" % (what, 100 * largest), largest <= LARGEST or what in SINGLE)
     checks.no_message(what, said)
     pv.Delete(shown)

@@ -28,12 +28,12 @@ RESOLUTION = {
 
 #: those tested where no shape is named
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow", "MeshArrow", "MeshCylinder")
-#: share of the pixels that one of two pictures covers alone, and levels of 255 in the mean: a fifth of what the smallest ball covers
+#: fraction of the pixels that one of two pictures covers alone, and levels of 255 in the mean: a fifth of what the smallest ball covers
 SILHOUETTE, COLOUR = 0.0003, 1.5
 COLORINGS = ("solid", "table")
 #: by name: the parallel scale
 PROJECTIONS = {"perspective": None, "parallel": 1.4}
-#: no light at all: surfaces then have their plain colour
+#: no light at all: surfaces then have their plain color
 LIGHTS = ("lightkit", "headlight", "spot", "none")
 
 
@@ -152,7 +152,7 @@ def pictures(view, points, shapes, show, who):
     for coloring in reversed(COLORINGS):  # 3D Glyphs remember a solid color's specular one
         if coloring == "solid":
             session.solid(shown, (0.8, 0.5, 0.2))
-            # 3D Glyphs mix the specular colour into the solid one (vtkProperty::GetColor), surfaces do not.
+            # 3D Glyphs mix the specular color into the solid one (vtkProperty::GetColor), surfaces do not.
             shown.SpecularColor = [0.8, 0.5, 0.2]
         else:
             pv.ColorBy(shown, ("POINTS", "scalar"))

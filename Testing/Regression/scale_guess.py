@@ -1,5 +1,5 @@
 """ScaleFactorFromData: what the data suggest is ScaleFactor from the first render on, is chosen anew when it
-should be, and gives way to whoever sets ScaleFactor.
+should be, and a user's ScaleFactor takes precedence.
 
 Usage: RTGLYPHS_DATA=FOLDER pvpython scale_guess.py
        mpiexec -n RANKS pvbatch scale_guess.py ranks
@@ -278,7 +278,7 @@ def compare(checks, what):
     shown.ScaleFactor = SCALED
     pv.Render(view)
     share, _, _ = comparison.difference(guessed, session.capture(view, "scale-guess-by-hand-" + what.replace(" ", "-")))
-    checks.equal(what + ": share of the pixels that differ from the same factor set by hand", share, 0.0)
+    checks.equal(what + ": fraction of the pixels that differ from the same factor set by hand", share, 0.0)
     pv.Delete(view)
 
 

@@ -1,4 +1,4 @@
-"""RenderStatistics tell the present state without UpdatePropertyInformation().
+"""RenderStatistics has the present state without UpdatePropertyInformation().
 
 Usage: pvpython statistics_alive.py
 """

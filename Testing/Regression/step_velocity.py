@@ -156,7 +156,7 @@ def steps(failures, view):
     shown.go(1, 0)
     shown.go(2, 1, ("2 of 4", "at time 1"))
     shown.go(3, 2)
-    shown.go(4, 3)  # nobody was there before: nothing moves, and of that nothing more is said
+    shown.go(4, 3)  # no points were there before: nothing moves, without a further message
     shown.go(0, 4)
     shown.go(4, 0)
     shown.go(1, 4)

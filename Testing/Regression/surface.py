@@ -77,7 +77,7 @@ def colour_by(association, name):
 
 
 def like_paraview(view):
-    """Same camera, lights and colours as ParaView's Surface: within the thresholds of the glyphs."""
+    """Same camera, lights and colors as ParaView's Surface: within the thresholds of the glyphs."""
     sphere = session.source(sphere_data())
     box = pv.Box(XLength=1.6, YLength=1.2, ZLength=1.4)
     wavelet = pv.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
@@ -175,7 +175,7 @@ def blocks(view):
 
 
 def only_colours(view):
-    """A new colour map sends colours and builds nothing; the same data again do nothing at all."""
+    """A new color map sends colors and builds nothing; the same data again do nothing at all."""
     sphere = session.source(sphere_data())
     shown = show(sphere, view, SURFACE)
     pv.ColorBy(shown, ("POINTS", "height"))

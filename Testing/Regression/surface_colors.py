@@ -29,7 +29,7 @@ def coarse_sphere():
 
 
 def color_difference(ours, theirs):
-    """(share of the pixels that differ, levels by which each does) of those that both pictures cover."""
+    """(fraction of the pixels that differ, levels by which each does) of those that both pictures cover."""
     both = comparison.covered(ours) & comparison.covered(theirs)
     apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max(axis=2)[both]
     return float((apart > comparison.LEVELS).mean()), apart
@@ -120,7 +120,7 @@ def block_colors(checks):
     for kind in ("Surface", SURFACE, session.REPRESENTATION):
         shown.SetRepresentationType(kind)
         shown.Ambient, shown.Diffuse = 1.0, 0.0
-        pv.ColorBy(shown, ("FIELD", "vtkBlockColors"))  # ParaView itself says here that it knows no range
+        pv.ColorBy(shown, ("FIELD", "vtkBlockColors"))  # ParaView itself warns here that it has no range
         shown.SetScalarBarVisibility(view, False)
         checks.no_message("vtkBlockColors, " + kind, session.messages(lambda: pv.Render(view)))
         offered = shown.SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
@@ -189,7 +189,7 @@ def partial_arrays(checks):
                 pictures.append(session.capture(view, "surface-colors-partial-%s-%s" % (array, kind.lower().replace(" ", "-"))))
             if array == "material" and pair[0] == "3D Glyphs":
                 found = [{tuple(color) for color in picture.reshape(-1, picture.shape[-1])} for picture in (surface, pictures[1])]
-                checks.equal("%s of some blocks, %s: colors" % (array, pair[1]), found[1], found[0])  # 3D Glyphs know no field data
+                checks.equal("%s of some blocks, %s: colors" % (array, pair[1]), found[1], found[0])  # 3D Glyphs ignores field data
                 continue
             surface = pictures[0]
             # A triangle with a corner that is no number has its color whole, and ParaView's in part.

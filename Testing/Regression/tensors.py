@@ -390,7 +390,7 @@ def main():
     # Numbers as colours: through a map of the user's, and the one of our own; of the principal direction.
     colours(failures, view)
 
-    # Bad tensors: counted and told once, unless they are zero; wrong lengths of tuples: one message, no glyph.
+    # Bad tensors: counted, with one message, unless they are zero; wrong lengths of tuples: one message, no glyph.
     bad = t.reshape(3, 9).copy()
     bad[0] = 0.0
     bad[2, 4] = numpy.nan

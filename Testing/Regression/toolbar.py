@@ -1,5 +1,5 @@
-"""Runs inside ParaView's window: the plugin's toolbar chooses a quality, stops and tells how far the image is; undo, redo
-and the Python trace know what was chosen. ParaView's messages name the device that traces.
+"""Runs inside ParaView's window: the plugin's toolbar chooses a quality, stops and shows the progress of the image; undo, redo
+and the Python trace have what was chosen. ParaView's messages name the device that traces.
 
 Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=toolbar.py
 Prints TOOLBAR TEST PASSED as its last line.
@@ -101,8 +101,8 @@ def stopping(checks, window, bar, view, shown):
     window.wait(lambda: False, 0.0)
     checks.true("the window's bar says '%s', the toolbar '%s'" % (window.text("ProgressBar"), bar.samples()),
                 window.wait(lambda: window.text("ProgressBar").startswith(bar.samples()), LIMIT))
-    say("told: %s" % sorted(told))
-    checks.true("nothing tells of %d: %s" % (MANY, told), any("of %d" % MANY in one for one in told))
+    say("shown: %s" % sorted(told))
+    checks.true("nothing shows %d: %s" % (MANY, told), any("of %d" % MANY in one for one in told))
     checks.true("refining: %s" % bar.enabled(), "Stop" in bar.enabled())
     window.picture(BAR, session.output("toolbar-refining.png"))
     checks.true("Stop cannot be pressed", window.click(BAR + "/Stop"))
@@ -155,7 +155,7 @@ def long(checks, window, bar, view, source):
     checks.true("tool tip of what is not measured: %s" % window.tip(BAR + "/Publication"), window.tip(BAR + "/Publication").endswith("not measured yet."))
     checks.true("Publication cannot be pressed", window.click(BAR + "/Publication"))
     told = r"Publication takes about \d+ (s|min|h)\. Stop keeps the samples so far."
-    checks.true("nothing tells how long it takes: %s" % window.text("statusbar"), window.wait(lambda: re.search(told, window.text("statusbar")), LIMIT))
+    checks.true("nothing shows how long it takes: %s" % window.text("statusbar"), window.wait(lambda: re.search(told, window.text("statusbar")), LIMIT))
     checks.true("tool tip of what is measured: %s" % window.tip(BAR + "/Publication"), re.search(r"about \d+ (s|min|h) here", window.tip(BAR + "/Publication")))
     say("said: %s" % window.text("statusbar"))
     shown.RenderingQuality = "Fast"

@@ -62,7 +62,7 @@ def delivered(shown):
 
 
 def coverage(trails, count):
-    """The pixels of discs at the last places and of the hulls of discs along the trails, and those too near to an edge to be told."""
+    """The pixels of discs at the last places and of the hulls of discs along the trails, and those too near to an edge to decide."""
     x = (numpy.arange(WIDTH) + 0.5 - WIDTH / 2) / (HEIGHT / 2) * SCALE
     y = -(numpy.arange(HEIGHT) + 0.5 - HEIGHT / 2) / (HEIGHT / 2) * SCALE
     pixels = numpy.stack(numpy.meshgrid(x, y), axis=-1)
@@ -149,7 +149,7 @@ TRICLINIC = [2.0, 0.0, 0.0, 0.5, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
 def periodic(checks, view):
-    """Across the border of a box trails go on to the nearest image; where nobody knows the box they end there."""
+    """Across the border of a box trails go on to the nearest image; where the box is not known they end there."""
     shown = shown_in(view, series(steps=CROSSING), 3, PeriodicBoundary=1, PeriodicVectors=[2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0])
     checks.no_message("a box", go(view, CROSSING, 3))
     compare(checks, "a box", view, shown, CROSSING, 3, 3, BOX)
@@ -206,7 +206,7 @@ def looks(checks, view):
 
 
 def messages(checks, view):
-    """Without trails, and told why."""
+    """No trails, and a message with the reason."""
     still = session.poly_data(numpy.zeros((2, 3)), who=numpy.arange(2))
     for what, source, properties, words in (
             ("one step", session.source(still), {}, ("TrailSteps", "several time steps")),

@@ -13,7 +13,7 @@ from checks import Checks, stepwise
 from direction_colors import levels
 
 TUBES = "Ray Traced Tubes"
-#: share of the pixels that may be covered in one of two pictures only, or have other colors; levels of 255 by which the rest may differ in the mean
+#: fraction of the pixels that may be covered in one of two pictures only, or have other colors; levels of 255 by which the rest may differ in the mean
 SILHOUETTE, INTERIOR = 0.002, 1.0
 UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
 
@@ -110,10 +110,10 @@ def like_tube_filter(view, checks):
         both = inside(masks["ours"] & masks["paraview"])
         print("%s: silhouettes differ on %.3f%% of the pixels, colors by %.3f levels in the mean, %d at most, over %d pixels"
               % (name, 100 * outline, apart[both].mean(), apart[both].max(), both.sum()))
-        checks.within(name + ": share of the pixels that one covers alone", outline, 0.0, SILHOUETTE)
+        checks.within(name + ": fraction of the pixels that one covers alone", outline, 0.0, SILHOUETTE)
         checks.within(name + ": mean difference in levels", float(apart[both].mean()), 0.0, INTERIOR)
         # Where one turn hides another, outlines are inside, too.
-        checks.within(name + ": share of the pixels inside that are of another color",
+        checks.within(name + ": fraction of the pixels inside that are of another color",
                       float((apart[both].max(axis=1) > comparison.LEVELS).mean()), 0.0, SILHOUETTE)
         checks.within(name + ": covered pixels", int(both.sum()), 3000, 10 ** 6)
     pv.Delete(displays["paraview"])

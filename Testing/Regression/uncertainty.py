@@ -1,4 +1,4 @@
-"""Confidence ellipsoids hold the stated share of a Gaussian's samples and have numpy's silhouettes; those of uncertain vectors are the same
+"""Confidence ellipsoids hold the stated fraction of a Gaussian's samples and have numpy's silhouettes; those of uncertain vectors are the same
 round the arrows' tips, in motion, too; what is no covariance has no ellipsoid, and a message.
 
 Usage: pvpython uncertainty.py
@@ -43,7 +43,7 @@ def shown_ellipsoids(stage, of=None, **properties):
 
 
 def shares(checks, view, stage):
-    """Of samples of each Gaussian the stated share lies in the exported ellipsoid."""
+    """Of samples of each Gaussian the stated fraction lies in the exported ellipsoid."""
     for share in RADII:
         shown_ellipsoids(stage, GlyphConfidence=share)
         path = session.output("uncertainty.usda")
@@ -55,7 +55,7 @@ def shares(checks, view, stage):
             turn = numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)], [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                                 [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
             inside = (numpy.square((samples - part.positions[number]) @ turn / (0.5 * part.scales[number])).sum(axis=1) <= 1.0).mean()
-            checks.within("share of samples of Gaussian %d in the ellipsoid of %g" % (number, share), inside, share - 0.002, share + 0.002)
+            checks.within("fraction of samples of Gaussian %d in the ellipsoid of %g" % (number, share), inside, share - 0.002, share + 0.002)
 
 
 def silhouettes(checks, view, stage):

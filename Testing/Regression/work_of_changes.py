@@ -378,7 +378,7 @@ def main():
             session.replace_data(bench.source, new)
 
         bench.expect("array " + name, properties, give, "new data")
-        # An array that nobody asks for is no reason to build anything.
+        # An array that no property names is no reason to build anything.
         session.replace_data(bench.source, data())
 
     def give_unused():

@@ -56,7 +56,7 @@ struct Effort
   double seconds; ///< of frames, at least two
 };
 
-/// Share of the pixels that show a glyph.
+/// Fraction of the pixels that show a glyph.
 double Covered(const rtg::Image& image)
 {
   const std::size_t pixels = std::size_t(image.width) * image.height;

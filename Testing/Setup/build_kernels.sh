@@ -3,11 +3,12 @@
 # What is missing is installed with apt, as root or with sudo.
 # Usage: build_kernels.sh COMPILER [TEST...]     the named programs only, in build-COMPILER
 #   g++-10, g++-11, ...           g++-10 comes from Debian 11
-#   clang++-19                    with its libc++
-#   x86_64-w64-mingw32-g++-posix  for Windows; programs run under wine, which hands Vulkan to this system's driver
-#   aarch64-linux-gnu-g++         for aarch64; programs run under qemu with the driver of a chroot:
-#                                 chroot.sh trixie --arch arm64 run apt-get -qy install libvulkan1 mesa-vulkan-drivers vulkan-validationlayers
-# Example: build_kernels.sh clang++-19 TracerTest SelfCheck
+#   clang++-19                    with its libc++; needs SPIRV-Tools built with it, in a folder that CMAKE_PREFIX_PATH names
+#   x86_64-w64-mingw32-g++-posix  for Windows; programs run under wine, which hands Vulkan to this system's driver. Needs
+#                                 SPIRV-Tools in the same way
+#   aarch64-linux-gnu-g++         for aarch64; programs run under qemu with the driver, and are linked with the SPIRV-Tools,
+#                                 of a chroot of this system's release (README.md)
+# Example: build_kernels.sh g++-10 TracerTest SelfCheck
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)
@@ -43,8 +44,10 @@ case "$compiler" in
       "-DCMAKE_CROSSCOMPILING_EMULATOR=env;WINEPREFIX=$build/wine;WINEDEBUG=-all;xvfb-run;-a;wine") ;;
   aarch64-linux-gnu-*)
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
-    options+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
-      "-DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64-static;-L;$clone/build-chroot-trixie-arm64") ;;
+    chroot=$clone/build-chroot-$VERSION_CODENAME-arm64
+    spirv=$chroot/usr/lib/aarch64-linux-gnu/cmake/SPIRV-Tools
+    options+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 "-DSPIRV-Tools_DIR=$spirv" "-DSPIRV-Tools-opt_DIR=$spirv-opt"
+      "-DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64-static;-L;$chroot") ;;
   *) echo "build_kernels.sh: unknown compiler '$compiler'; see the head of this file" >&2; exit 2 ;;
 esac
 

@@ -60,7 +60,7 @@ register_emulator() {
     fail "qemu-user-static has no emulator of '$arch'"
 }
 
-# All that follows runs in namespaces of its own: mounts that nobody else sees, and processes that the kernel ends together
+# All that follows runs in namespaces of its own: mounts that no other process sees, and processes that the kernel ends together
 # with the first of them. However this script ends, no process and no mount remains.
 if [ -z "${RTGLYPHS_IN_NAMESPACE:-}" ]; then
   packages=(debootstrap)

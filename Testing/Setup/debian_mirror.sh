@@ -1,5 +1,5 @@
 # To be sourced. Finds the mirror that this machine's own apt configuration uses for its release, so that
-# neighbouring suites (backports, the next release's sources) can be fetched from there: no script names a host.
+# neighboring suites (backports, the next release's sources) can be fetched from there: no script names a host.
 
 # Sets mirror_uri, and mirror_signed_by to a key file where the machine's entry names one.
 # Returns 1 when apt has no source for the release.

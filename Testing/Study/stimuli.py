@@ -87,7 +87,7 @@ class Stage:
         image = reader.GetOutput()
         found = vtk_to_numpy(image.GetPointData().GetArray("OriginalId")).reshape(image.GetDimensions()[1::-1])
         if others:
-            # Which display it is, its color tells: balls and arrows have no color in common.
+            # The color identifies the display: balls and arrows have no color in common.
             albedo = vtk_to_numpy(image.GetPointData().GetArray("Albedo")).reshape(found.shape + (3,))
             own = vtk_to_numpy(self.sources[kind].GetClientSideObject().GetOutputDataObject(0).GetPointData().GetArray("rgb")) / 255.0
             at = numpy.clip(found, 0, len(own) - 1)
@@ -123,7 +123,7 @@ def alone(scene):
 
 
 def seen(stage, kind, scene, marked):
-    """The least share of a marked glyph that the others leave to be seen."""
+    """The least fraction of a marked glyph that the others leave to be seen."""
     scene["alone"] = alone(scene)
     stage.set(kind, scene)
     stage.look()
