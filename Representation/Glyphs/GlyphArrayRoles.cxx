@@ -197,7 +197,8 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   score -= array.Columns.empty() ? 0 : 1; // arrays of the data first
   if ((role == DIRECTION || role == ROTATION) && array.Components == 4)
   {
-    score -= role == DIRECTION ? 6 : 0; // arrows follow a vector, if there is one
+    const int less = array.Name.size() == 1 ? 30 : 6; // arrows follow a vector, if there is one
+    score -= role == DIRECTION ? less : 0;
   }
   if (role == ROTATION && IsRotation(array))
   {
@@ -286,13 +287,15 @@ std::string Replaced(const std::string& name, std::size_t at, std::size_t length
 // Columns of a table, of which some become components of joined arrays.
 struct Columns
 {
-  Words Left;
-  bool Plane;
+  Words Left, Whole; // all, and those of an integer type
+  bool Plane = false;
   std::vector<Array> Joined;
 
-  bool Has(const std::string& name) const
+  bool Has(const std::string& name) const { return IsIn(this->Left, name); }
+
+  static bool IsIn(const Words& words, const std::string& name)
   {
-    return std::find(this->Left.begin(), this->Left.end(), name) != this->Left.end();
+    return std::find(words.begin(), words.end(), name) != words.end();
   }
 
   // Of columns numbered from 0 or 1 all that there are. Six from 1 are those of LAMMPS, in its order of tensors.
@@ -343,15 +346,17 @@ struct Columns
     const bool ends = !isAt(at + length);
     const bool begins = at == 0 && !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
     const bool running = index.front() == "11" && this->Has(Replaced(first, at, length, "10"));
-    const bool meant = array.Components > 2 || (&meaning != &unnamed && (!speed || this->Plane));
+    const bool whole =
+      std::all_of(names.begin(), names.end(), [this](const std::string& name) { return IsIn(this->Whole, name); });
+    const bool meant = &meaning != &unnamed ? array.Components > 2 || !speed || this->Plane
+                                            : array.Components > 2 && !whole; // images, indices of a grid
     if (words.empty() || !(ends || begins) || !meant || running ||
       !std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Has(name); }))
     {
       return;
     }
-    this->Left.erase(
-      std::remove_if(this->Left.begin(), this->Left.end(),
-        [&names](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }),
+    this->Left.erase(std::remove_if(this->Left.begin(), this->Left.end(),
+                       [&names](const std::string& name) { return IsIn(names, name); }),
       this->Left.end());
     this->Joined.push_back(array);
   }
@@ -393,10 +398,15 @@ bool rtglyphs::GlyphArrayRoles::IsSize(const std::string& name)
 std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& numbers, bool plane)
 {
   static const std::vector<Words> indices = Indices();
-  Columns columns{ {}, plane, {} };
+  Columns columns;
+  columns.Plane = plane;
   for (const Array& number : numbers)
   {
     columns.Left.push_back(number.Name);
+    if (number.IsWhole)
+    {
+      columns.Whole.push_back(number.Name);
+    }
   }
   for (const Words& index : indices)
   {

@@ -234,7 +234,7 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
     };
     const double number = above(largestGlyph) * points.NumberOfAll();
     limit = std::max(std::min(size, largestGlyph), largestGlyph / std::sqrt(std::max(1.0, number / manyLimited)));
-    result.Limited = above(limit);
+    result.Limited = above(1.01 * limit); // visibly
   }
   else if (excess > 1.0)
   {

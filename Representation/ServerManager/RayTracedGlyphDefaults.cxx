@@ -378,6 +378,11 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   {
     sentences.emplace_back("UseGlyphTable has no effect: choose a GlyphTableIndexArray");
   }
+  if (tensors && vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt() == rtglyphs::GlyphTensors::RADIUS &&
+    (shape < Shapes::SPHERICAL_HARMONICS || shape > Shapes::FOURTH_ORDER_TENSOR))
+  {
+    sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for glyphs of direction");
+  }
   if (number("Orient") != 0.0 && !tensors)
   {
     explain("Direction", "SelectOrientationVectors");

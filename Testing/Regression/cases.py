@@ -283,6 +283,8 @@ TABLES = (
     ("LAMMPS, coordinates", "xu yu zu xs ys zs", VECTORS, None),
     ("coordinates", "xParticle yParticle zParticle", VECTORS, None),
     ("two species", "u v", VECTORS, None),
+    ("LAMMPS, dipoles", "id q mux muy muz", VECTORS, "mux, muy, muz"),
+    ("LAMMPS, periodic images as whole numbers", "ix iy iz", VECTORS, None),
     ("a histogram", " ".join("bin%d" % i for i in range(32)), VECTORS, None),
     ("LAMMPS, stress", " ".join("c_stress[%d]" % i for i in range(1, 7)), TENSORS, "c_stress[1], c_stress[2], c_stress[3], c_stress[4], c_stress[6], c_stress[5]"),
     ("MOOSE", "disp_x disp_y disp_z stress_xx stress_yy stress_zz stress_xy stress_yz stress_zx", TENSORS,
@@ -302,7 +304,8 @@ def tables(view, checks):
     for code, names, (shape, where), wanted in TABLES + (("wind in the plane", "u10 v10 t2m", VECTORS, "u10, v10"), ):
         places = box() * [1.0, 1.0, 0.0 if "plane" in code else 1.0]
         session.assign_shape(shown, "Sphere")
-        session.replace_data(shown.Input, session.poly_data(places, **{name.replace("_[", " ["): RANDOM.normal(size=100) for name in names.split()}))
+        session.replace_data(shown.Input, session.poly_data(places, **{
+            name.replace("_[", " ["): (8.0 * RANDOM.normal(size=100)).astype(int if "whole" in code else float) for name in names.split()}))
         session.assign_shape(shown, shape)
         session.messages(lambda: pv.Render(view))
         checks.equal("columns of " + code, shown.SMProxy.GetProperty(where).GetElement(0), wanted.replace("_[", " [") if wanted else "None")
