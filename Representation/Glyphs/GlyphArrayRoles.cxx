@@ -320,7 +320,7 @@ struct Columns
   {
     const auto isAt = [&](std::size_t place)
     { return place < first.size() && std::isalnum(static_cast<unsigned char>(first[place])); };
-    if (index.empty() || !this->Has(first))
+    if (index.empty())
     {
       return;
     }
@@ -331,6 +331,10 @@ struct Columns
     {
       names.push_back(Replaced(first, at, length, one));
       array.Name += (array.Name.empty() ? "" : ", ") + names.back();
+      if (!this->Has(names.back()))
+      {
+        return;
+      }
     }
     array.Columns = Replaced(first, at, length, " ");
     array.Components = static_cast<int>(index.size());
@@ -350,8 +354,7 @@ struct Columns
       std::all_of(names.begin(), names.end(), [this](const std::string& name) { return IsIn(this->Whole, name); });
     const bool meant = &meaning != &unnamed ? array.Components > 2 || !speed || this->Plane
                                             : array.Components > 2 && !whole; // images, indices of a grid
-    if (words.empty() || !(ends || begins) || !meant || running ||
-      !std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Has(name); }))
+    if (words.empty() || !(ends || begins) || !meant || running)
     {
       return;
     }
