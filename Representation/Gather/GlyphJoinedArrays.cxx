@@ -62,6 +62,10 @@ void rtglyphs::GlyphJoinedArrays::Add(vtkPolyData* points, const std::string& na
   auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(alike ? type : VTK_DOUBLE));
   joined->SetName(name.c_str());
   joined->SetNumberOfComponents(components);
+  for (int i = 0; components == static_cast<int>(arrays.size()) && i < components; ++i)
+  {
+    joined->SetComponentName(i, arrays[i]->GetName()); // stress_xx, ... say the order of a tensor
+  }
   rtglyphs::RayTracedArrays::Resize(joined, points->GetNumberOfPoints());
   rtglyphs::RayTracedParallel::ForChunks(points->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)

@@ -121,7 +121,8 @@ const Meaning& MeaningOf(const Array& array, double spacing)
   const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
   const bool letter = words.size() == 1 && words.front().size() == 1;
   const Meaning& meaning = MeaningOf(array);
-  const bool meant = array.Components > 1 ? !array.IsPlace : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
+  const bool tuple = !array.IsPlace && (array.Components > 3) == (meaning.Scores[ROTATION] == turns);
+  const bool meant = array.Components > 1 ? tuple : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
   return letter && !meant ? unnamed : meaning;
 }
 
@@ -144,11 +145,10 @@ bool IsNeverVector(const Meaning& meaning)
 }
 
 // The number of components that a role takes; a plane's vectors and tensors where more than the number says so.
-bool Fits(Role role, const Array& array)
+bool Fits(Role role, const Array& array, const Meaning& meaning)
 {
   const int n = array.Components;
-  const Meaning& meaning = MeaningOf(array);
-  const bool vector = n == 3 || (n == 2 && &meaning != &unnamed);
+  const bool vector = (n == 3 && !array.HasTensorNames) || (n == 2 && &meaning != &unnamed);
   const bool turning = meaning.Scores[ROTATION] == turns || IsRotation(array);
   switch (role)
   {
@@ -185,7 +185,7 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   const bool named = &meaning != &unnamed;
   Evidence evidence{ meaning.Scores[role], named ? "its name" : nullptr };
   int& score = evidence.Score;
-  if (array.IsColor || score == 0 || !Fits(role, array) || (role == TENSOR && IsRotation(array)))
+  if (array.IsColor || score == 0 || !Fits(role, array, meaning) || (role == TENSOR && IsRotation(array)))
   {
     return {};
   }
@@ -197,7 +197,8 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   score -= array.Columns.empty() ? 0 : 1; // arrays of the data first
   if ((role == DIRECTION || role == ROTATION) && array.Components == 4)
   {
-    score -= role == DIRECTION ? 6 : 0; // arrows follow a vector, if there is one
+    const int less = array.Name.size() == 1 ? 30 : 6; // arrows follow a vector, if there is one
+    score -= role == DIRECTION ? less : 0;
   }
   if (role == ROTATION && IsRotation(array))
   {
@@ -241,6 +242,128 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   }
   return evidence;
 }
+
+// Names of the components of tensors, quaternions and vectors.
+std::vector<Words> Indices()
+{
+  std::vector<Words> indices;
+  const auto add = [&](const char* names, const char* letters)
+  {
+    Words index(1);
+    for (const char* name = names; *name; ++name)
+    {
+      if (*name == ' ')
+      {
+        index.emplace_back();
+      }
+      else
+      {
+        index.back() += letters && *name >= 'x' && *name <= 'z' ? letters[*name - 'x'] : *name;
+      }
+    }
+    indices.push_back(index);
+  };
+  for (const char* letters : { "xyz", "XYZ", "123" })
+  {
+    for (const char* names :
+      { "xx xy xz yx yy yz zx zy zz", "xx yy zz xy yz xz", "xx yy zz xy yz zx", "xx yy zz xy", "xx yy xy" })
+    {
+      add(names, letters);
+    }
+  }
+  for (const char* names :
+    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "x y", "X Y", "u v", "U V" })
+  {
+    add(names, nullptr);
+  }
+  return indices;
+}
+
+std::string Replaced(const std::string& name, std::size_t at, std::size_t length, const std::string& by)
+{
+  return name.substr(0, at) + by + name.substr(at + length);
+}
+
+// Columns of a table, of which some become components of joined arrays.
+struct Columns
+{
+  Words Left, Whole; // all, and those of an integer type
+  bool Plane = false;
+  std::vector<Array> Joined;
+
+  bool Has(const std::string& name) const { return IsIn(this->Left, name); }
+
+  static bool IsIn(const Words& words, const std::string& name)
+  {
+    return std::find(words.begin(), words.end(), name) != words.end();
+  }
+
+  // Of columns numbered from 0 or 1 all that there are. Six from 1 are those of LAMMPS, in its order of tensors.
+  Words NumbersFrom(const std::string& first, std::size_t at) const
+  {
+    Words index;
+    for (int number = first[at] - '0'; this->Has(Replaced(first, at, 1, std::to_string(number))); ++number)
+    {
+      index.push_back(std::to_string(number));
+    }
+    if (index.size() == 6 && first[at] == '1')
+    {
+      std::swap(index[4], index[5]);
+    }
+    const std::size_t n = index.size();
+    const bool known = n == 2 || n == 3 || n == 4 || n == 6 || n == 7 || n == 9;
+    return known || (n > 9 && rtg::FormMap::IsHarmonicsLength(n)) ? index : Words();
+  }
+
+  // Of a first column whose name has the first component's at a place, and those of the other components.
+  void Join(const std::string& first, std::size_t at, const Words& index)
+  {
+    const auto isAt = [&](std::size_t place)
+    { return place < first.size() && std::isalnum(static_cast<unsigned char>(first[place])); };
+    if (index.empty())
+    {
+      return;
+    }
+    const std::size_t length = index.front().size();
+    Array array;
+    Words names;
+    for (const std::string& one : index)
+    {
+      names.push_back(Replaced(first, at, length, one));
+      array.Name += (array.Name.empty() ? "" : ", ") + names.back();
+      if (!this->Has(names.back()))
+      {
+        return;
+      }
+    }
+    array.Columns = Replaced(first, at, length, " ");
+    array.Components = static_cast<int>(index.size());
+    array.HasTensorNames = length == 2;
+    const bool speed = index.front() == "u" || index.front() == "U";
+    if (speed && &MeaningOf(array) == &unnamed)
+    {
+      array.Columns += " velocity";
+    }
+    // The component's name ends a word, or begins that of a vector: xvel, but not xs.
+    const Words words = WordsOf(array.Columns);
+    const Meaning& meaning = MeaningOf(array);
+    const bool ends = !isAt(at + length);
+    const bool begins = at == 0 && !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
+    const bool running = index.front() == "11" && this->Has(Replaced(first, at, length, "10"));
+    const bool whole =
+      std::all_of(names.begin(), names.end(), [this](const std::string& name) { return IsIn(this->Whole, name); });
+    const bool meant = &meaning != &unnamed ? array.Components > 2 || !speed || this->Plane
+                                            : array.Components > 2 && !whole; // images, indices of a grid
+    if (words.empty() || !(ends || begins) || !meant || running)
+    {
+      return;
+    }
+    this->Left.erase(std::remove_if(this->Left.begin(), this->Left.end(),
+                       [&names](const std::string& name) { return IsIn(names, name); }),
+      this->Left.end());
+    this->Joined.push_back(array);
+  }
+};
 }
 
 //----------------------------------------------------------------------------
@@ -275,54 +398,41 @@ bool rtglyphs::GlyphArrayRoles::IsSize(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
-std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& numbers)
+std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& numbers, bool plane)
 {
-  // Six numbered columns are those of LAMMPS, in its order of tensors.
-  static const std::vector<Words> indices = { { "1", "2", "3", "4", "6", "5" }, { "xx", "yy", "zz", "xy", "yz", "xz" },
-    { "XX", "YY", "ZZ", "XY", "YZ", "XZ" }, { "11", "22", "33", "12", "23", "13" }, { "w", "x", "y", "z" },
-    { "w", "i", "j", "k" }, { "1", "2", "3", "4" }, { "x", "y", "z" }, { "X", "Y", "Z" }, { "0", "1", "2" },
-    { "1", "2", "3" }, { "x", "y" }, { "1", "2" } };
-  Words left;
+  static const std::vector<Words> indices = Indices();
+  Columns columns;
+  columns.Plane = plane;
   for (const Array& number : numbers)
   {
-    left.push_back(number.Name);
+    columns.Left.push_back(number.Name);
+    if (number.IsWhole)
+    {
+      columns.Whole.push_back(number.Name);
+    }
   }
-  std::vector<Array> joined;
   for (const Words& index : indices)
   {
-    for (const std::string& first : Words(left))
+    for (const std::string& first : Words(columns.Left))
     {
-      const std::size_t length = index.front().size(), at = first.rfind(index.front());
-      const auto isAt = [&](std::size_t place)
-      { return place < first.size() && std::isalnum(static_cast<unsigned char>(first[place])); };
-      // Behind a name, or before one but for a sign between.
-      if (at == std::string::npos || isAt(at + length))
+      for (std::size_t at = first.rfind(index.front()); at != std::string::npos;
+           at = at > 0 ? first.rfind(index.front(), at - 1) : std::string::npos)
       {
-        continue;
-      }
-      Array array;
-      Words names;
-      for (const std::string& one : index)
-      {
-        names.push_back(first.substr(0, at) + one + first.substr(at + length));
-        array.Name += (array.Name.empty() ? "" : ", ") + names.back();
-      }
-      array.Columns = first.substr(0, at) + ' ' + first.substr(at + length);
-      array.Components = static_cast<int>(index.size());
-      const bool all = std::all_of(names.begin(), names.end(),
-        [&left](const std::string& name) { return std::find(left.begin(), left.end(), name) != left.end(); });
-      const bool meant = array.Components > 2 || &MeaningOf(array) != &unnamed;
-      if (all && meant && !WordsOf(array.Columns).empty())
-      {
-        left.erase(
-          std::remove_if(left.begin(), left.end(),
-            [&names](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }),
-          left.end());
-        joined.push_back(array);
+        columns.Join(first, at, index);
       }
     }
   }
-  return joined;
+  for (const std::string& first : Words(columns.Left))
+  {
+    for (std::size_t at = first.size(); at-- > 0;)
+    {
+      if (first[at] == '0' || (first[at] == '1' && !columns.Has(Replaced(first, at, 1, "0"))))
+      {
+        columns.Join(first, at, columns.NumbersFrom(first, at));
+      }
+    }
+  }
+  return columns.Joined;
 }
 
 //----------------------------------------------------------------------------

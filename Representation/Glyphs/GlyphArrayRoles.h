@@ -55,10 +55,10 @@ Choice Choose(Role role, const std::vector<Array>& arrays, double spacing);
 
 /**
  * Vectors, quaternions, tensors and exponents that tables have as columns, whose names differ in an index only: vx, vy
- * and vz, x_vel, ..., Velocity:0, ..., quatw, quati, ... Their name is what properties call joined arrays, with commas
- * between. Of tensors the order is xx, yy, zz, xy, yz, xz.
+ * and vz, xvel, ..., u, v and w, Velocity:0, ..., quatw, quati, ... Their name is what properties call joined arrays,
+ * with commas between. Of u and v alone only if the points lie in a plane.
  */
-std::vector<Array> Join(const std::vector<Array>& numbers);
+std::vector<Array> Join(const std::vector<Array>& numbers, bool plane);
 
 /**
  * Whether the name is that of a size.

@@ -24,11 +24,11 @@ class GlyphKeptGuess
 public:
   /**
    * Value of 0: the data suggest nothing yet, which is not kept. Limit of the sizes that it leads to, which outliers
-   * have; 0: none.
+   * have; 0: none. Limited: the fraction of all that have it.
    */
   struct Result
   {
-    double Value = 0.0, Limit = 0.0;
+    double Value = 0.0, Limit = 0.0, Limited = 0.0;
   };
 
   /**
@@ -57,6 +57,7 @@ public:
       else if (found.Limit > 0.0)
       {
         this->Found.Limit = this->Found.Limit > 0.0 ? std::min(this->Found.Limit, found.Limit) : found.Limit;
+        this->Found.Limited = found.Limited;
       }
     }
     this->Known = std::move(key);

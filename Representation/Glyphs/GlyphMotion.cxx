@@ -166,9 +166,10 @@ void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& s
 std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 {
   const bool any = IsNamed(settings, LINEAR) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR);
-  return !settings.On || any ? std::string()
-                             : "MotionBlur needs velocities. Choose a point array of 3 components as VelocityArray, "
-                               "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
+  return !settings.On || any
+    ? std::string()
+    : "MotionBlur needs velocities. Choose a point array of 2 or 3 components as VelocityArray, "
+      "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
 }
 
 //----------------------------------------------------------------------------

@@ -226,10 +226,15 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
   double limit = 0.0;
   if (excess > mostExcess)
   {
-    const auto limited =
-      std::count_if(sample.begin(), sample.end(), [&](double magnitude) { return factor * magnitude > largestGlyph; });
-    const double number = static_cast<double>(limited) * points.NumberOfAll() / static_cast<double>(sample.size());
+    const auto above = [&](double length)
+    {
+      const auto larger =
+        std::count_if(sample.begin(), sample.end(), [&](double magnitude) { return factor * magnitude > length; });
+      return static_cast<double>(larger) / static_cast<double>(sample.size());
+    };
+    const double number = above(largestGlyph) * points.NumberOfAll();
     limit = std::max(std::min(size, largestGlyph), largestGlyph / std::sqrt(std::max(1.0, number / manyLimited)));
+    result.Limited = above(1.01 * limit); // visibly
   }
   else if (excess > 1.0)
   {

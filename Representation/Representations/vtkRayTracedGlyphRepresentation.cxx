@@ -206,8 +206,7 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
   const rtglyphs::GlyphSettings settings = this->GetSizes(points, unitSize);
   const rtglyphs::GlyphKeptGuess::Result& found =
     rtglyphs::GlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
-  this->ScaleGuess[0] = found.Value;
-  this->ScaleGuess[1] = found.Limit;
+  this->ScaleGuess = { found.Value, found.Limit, found.Limited };
 }
 
 //----------------------------------------------------------------------------
@@ -524,7 +523,7 @@ void vtkRayTracedGlyphRepresentation::SetScaleFactorFromData(bool on)
 {
   this->ScaleFactorFromData = on;
   this->Guess.Forget();
-  this->ScaleGuess[0] = this->ScaleGuess[1] = 0.0;
+  this->ScaleGuess = {};
 }
 
 //----------------------------------------------------------------------------

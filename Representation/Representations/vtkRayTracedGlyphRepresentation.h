@@ -102,11 +102,11 @@ public:
 
   ///@{
   /**
-   * The result of GlyphScaleGuess, where ScaleFactorFromData is on: factor and limit. Processes that have data use
-   * it by themselves; those that only render get it by SetScaleFactor() and SetGlyphSizeLimit(), the client being
-   * between them.
+   * The result of GlyphScaleGuess, where ScaleFactorFromData is on: factor, limit, fraction of the glyphs that have the
+   * limit. Processes that have data use it by themselves; those that only render get it by SetScaleFactor() and
+   * SetGlyphSizeLimit(), the client being between them.
    */
-  double* GetScaleFactorGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
+  double* GetScaleFactorGuess() VTK_SIZEHINT(3) { return this->ScaleGuess.data(); }
   void SetGlyphSizeLimit(double limit) { this->SizeLimit = rtglyphs::RayTracedNumbers::NumberOr(limit, 0.0); }
   ///@}
 
@@ -277,7 +277,7 @@ private:
   bool ScaleFactorFromData = false;
   rtglyphs::GlyphKeptGuess Guess;
   rtglyphs::GlyphHighScale HighScale;
-  double ScaleGuess[2] = { 0.0, 0.0 };
+  std::array<double, 3> ScaleGuess{};
   double SizeLimit = 0.0;
   std::array<double, 4> DataSizes{};
   std::string HarmonicsArray;

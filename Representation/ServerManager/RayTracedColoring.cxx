@@ -84,7 +84,18 @@ void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
 }
 
-// The glyphs' direction, else the size, else the array with the best score.
+// By an array of the data.
+bool AreOriented(vtkSMProxy* glyphs)
+{
+  const std::string direction = ValueOf(glyphs, "SelectOrientationVectors");
+  const std::vector<Array> arrays =
+    glyphs->GetProperty("SelectOrientationVectors")->FindDomain<vtkSMRayTracedArrayListDomain>()->Listed();
+  return vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() &&
+    std::any_of(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction; });
+}
+
+// The glyphs' direction, else the size, else the array with the best score. Empty: none, or the direction is several
+// arrays.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
@@ -108,6 +119,10 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
+  if (direction.find(", ") != std::string::npos && !isListed(direction, false))
+  {
+    return {};
+  }
   return isListed(direction, false) ? direction : isListed(size, true) ? size : domain->ChooseFor(LENGTH, arrays).Name;
 }
 }
@@ -198,7 +213,9 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   const std::string tensors = TensorsOf(glyphs, shape);
   const int coloring = tensors.empty() ? rtglyphs::GlyphTensors::NONE : TensorColoring(glyphs, shape);
   const std::string array = tensors.empty() ? ArrayToColorBy(glyphs, shape) : std::string();
-  const std::string shown = tensors.empty() ? array : tensors + ' ' + std::to_string(coloring);
+  const bool directions =
+    tensors.empty() ? array.empty() && AreOriented(glyphs) : coloring == rtglyphs::GlyphTensors::NONE;
+  const std::string shown = !tensors.empty() ? tensors + ' ' + std::to_string(coloring) : directions ? " " : array;
   if (shown.empty() || shown == this->Shown)
   {
     return; // a time step that has nothing to color by changes nothing
@@ -207,17 +224,16 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   this->Choosing = true;
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
-    const bool directions = !tensors.empty() && coloring == rtglyphs::GlyphTensors::NONE;
     vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
     vtkSMPropertyHelper(display, "GlyphDirectionColoring")
       .Set(directions ? rtglyphs::DirectionColors::AXES : rtglyphs::DirectionColors::NONE);
     display->UpdateVTKObjects();
   }
-  if (!tensors.empty() && !ColorArrayOf(display).empty())
+  if (array.empty() && !ColorArrayOf(display).empty())
   {
     colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no scalar bar of an invisible array
   }
-  if (tensors.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
+  if (!array.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
     const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;

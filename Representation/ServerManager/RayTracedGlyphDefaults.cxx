@@ -74,6 +74,11 @@ bool ShowsGlyphs(vtkSMProxy* display)
   return Shows(display, "Ray Traced Glyphs");
 }
 
+std::string Percent(double fraction)
+{
+  return std::to_string(std::max(1, static_cast<int>(std::lround(100.0 * fraction)))) + " %";
+}
+
 bool IsNone(vtkSMProxy* display, const char* array)
 {
   const char* value = vtkSMPropertyHelper(display, array).GetAsString();
@@ -363,9 +368,20 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
       sentences.emplace_back("ScaleMode has no effect: choose a SelectScaleArray");
     }
   }
+  const double limited = vtkSMPropertyHelper(display, "ScaleFactorGuess").GetAsDouble(2);
+  if (number("ScaleFactorFromData") != 0.0 && limited > 0.0)
+  {
+    sentences.push_back(
+      "About " + Percent(limited) + " of the glyphs are drawn smaller than in proportion, all of one size");
+  }
   if (shape == 0 && number("UseGlyphTable") != 0.0 && IsNone(glyphs, "GlyphTableIndexArray"))
   {
     sentences.emplace_back("UseGlyphTable has no effect: choose a GlyphTableIndexArray");
+  }
+  if (tensors && vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt() == rtglyphs::GlyphTensors::RADIUS &&
+    (shape < Shapes::SPHERICAL_HARMONICS || shape > Shapes::FOURTH_ORDER_TENSOR))
+  {
+    sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for glyphs of direction");
   }
   if (number("Orient") != 0.0 && !tensors)
   {
@@ -389,11 +405,10 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   const double negative = number("GlyphNegativeTensors");
   if (tensors && negative > 0.0)
   {
-    const int percent = std::max(1, static_cast<int>(std::lround(100.0 * negative)));
     const int coloring = vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt();
     const bool anisotropy = coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
     const bool positive = shape == Shapes::TENSOR_ELLIPSOID || shape == Shapes::TENSOR_SUPERQUADRIC;
-    std::string sentence = std::to_string(percent) + " % of the tensors have a negative eigenvalue";
+    std::string sentence = Percent(negative) + " of the tensors have a negative eigenvalue";
     sentence += positive ? ", drawn as a positive one" : "";
     sentence += anisotropy ? "; their fractional anisotropy may pass 1" : "";
     if (positive || anisotropy)

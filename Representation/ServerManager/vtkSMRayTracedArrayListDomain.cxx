@@ -89,22 +89,29 @@ std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const
   return arrays;
 }
 
+// Number of axes along which points are spread, and their volume in these.
+int AxesOf(const double bounds[6], double* volume = nullptr)
+{
+  const double sides[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+  const double longest = *std::max_element(sides, sides + 3);
+  int axes = 0;
+  for (double side : sides)
+  {
+    const bool spread = side > 1e-3 * longest;
+    axes += spread ? 1 : 0;
+    if (volume && spread)
+    {
+      *volume *= side;
+    }
+  }
+  return axes;
+}
+
 // The usual distance between points, if they fill their box. 0: not known.
 double SpacingOf(vtkPVDataInformation* data)
 {
-  const double* bounds = data->GetBounds();
-  double volume = 1.0, longest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
-  }
-  int axes = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double side = bounds[2 * axis + 1] - bounds[2 * axis];
-    volume *= side > 1e-3 * longest ? side : 1.0;
-    axes += side > 1e-3 * longest ? 1 : 0;
-  }
+  double volume = 1.0;
+  const int axes = AxesOf(data->GetBounds(), &volume);
   const double spacing = std::pow(volume / std::max<double>(1.0, data->GetNumberOfPoints()), 1.0 / std::max(axes, 1));
   return axes > 0 && std::isfinite(spacing) ? spacing : 0.0;
 }
@@ -156,7 +163,7 @@ std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
     unsigned int listed = 0;
     return this->IsInDomain(array.Name.c_str(), listed) == 0;
   };
-  const std::vector<Array> joined = rtglyphs::GlyphArrayRoles::Join(numbers);
+  const std::vector<Array> joined = rtglyphs::GlyphArrayRoles::Join(numbers, data && AxesOf(data->GetBounds()) < 3);
   const auto isPart = [&joined](const Array& array)
   {
     return std::any_of(joined.begin(), joined.end(),

@@ -12,7 +12,7 @@ from paraview import smtrace
 
 import comparison
 import session
-from cases import grid
+from cases import grid, unit
 from checks import Checks, stepwise
 
 RANDOM = numpy.random.default_rng(5)
@@ -133,12 +133,6 @@ def diffusion(count):
 def particles(count=300, side=0.1):
     """Places in a box."""
     return RANDOM.uniform(0.0, side, (count, 3))
-
-
-def quaternions(count):
-    """Of unit length, w first."""
-    found = RANDOM.normal(size=(count, 4))
-    return found / numpy.linalg.norm(found, axis=1, keepdims=True)
 
 
 def openfoam():
@@ -279,12 +273,12 @@ ROWS = (
     Row("LAMMPS, grains", lambda: legacy("granular.vtk", PLACES, id=NUMBERS, type=NUMBERS % 2 + 1, radius=RANDOM.uniform(0.002, 0.005, 300)),
         {SIZE: "radius"}, "radius", 300, ("Size by radius: its name", )),
     Row("LAMMPS, ellipsoids in CSV", lambda: table(
-        "ellipsoids.csv", **columns("", PLACES, "x", "y", "z"), id=NUMBERS, **columns("c_q", quaternions(300), "[1]", "[2]", "[3]", "[4]"),
+        "ellipsoids.csv", **columns("", PLACES, "x", "y", "z"), id=NUMBERS, **columns("c_q", unit(300, 4), "[1]", "[2]", "[3]", "[4]"),
         **columns("c_shape", RANDOM.uniform(0.004, 0.009, (300, 3)), "[1]", "[2]", "[3]"), **columns("v", v_of(300), "x", "y", "z")),
-        {DIRECTION: "c_q[1], c_q[2], c_q[3], c_q[4]", SIZE: "c_shape[1], c_shape[2], c_shape[3]"}, "", 300, ("Size by c_shape", ), GlyphShape="Superquadric"),
+        {DIRECTION: "c_q[1], c_q[2], c_q[3], c_q[4]", SIZE: "c_shape[1], c_shape[2], c_shape[3]"}, "Axes", 300, ("Size by c_shape", "Color by direction"), GlyphShape="Superquadric"),
     Row("LIGGGHTS, superquadrics", lambda: legacy(
         "liggghts.vtk", PLACES, id=NUMBERS, v=v_of(300), **columns("shape", RANDOM.uniform(0.002, 0.005, (300, 3)), "x", "y", "z"),
-        **columns("blockiness", RANDOM.uniform(2.0, 8.0, (300, 2)), "1", "2"), **columns("quat", quaternions(300), "1", "2", "3", "4")),
+        **columns("blockiness", RANDOM.uniform(2.0, 8.0, (300, 2)), "1", "2"), **columns("quat", unit(300, 4), "1", "2", "3", "4")),
         {DIRECTION: "quat1, quat2, quat3, quat4", SIZE: "shapex, shapey, shapez", "GlyphExponentArray": "blockiness1, blockiness2"},
         "v", 300, ("Size by shapex, shapey, shapez: its name", ), GlyphShape="Nested Superquadric"),
     Row("Yade", lambda: vtp("yade.vtp", PLACES, radii=RANDOM.uniform(0.002, 0.004, 300), id=NUMBERS, mask=numpy.ones(300, int), clumpId=NUMBERS,
@@ -315,7 +309,11 @@ ROWS = (
     Row("Ansys, EnSight", ensight, {DIRECTION: "Displacement"}, "Displacement", 72),
     Row("openPMD, CSV", lambda: table("openpmd.csv", **columns("position_", PLACES, "x", "y", "z"), **columns("momentum_", v_of(300), "x", "y", "z"),
                                       weighting=numpy.full(300, 1e5), id=NUMBERS),
-        {DIRECTION: "momentum_x, momentum_y, momentum_z"}, "", 300, ("Direction by momentum_x", )),
+        {DIRECTION: "momentum_x, momentum_y, momentum_z"}, "Axes", 300, ("Direction by momentum_x", "Color by direction")),
+    Row("wind, CSV", lambda: table("wind.csv", x=NODES[:, 0], y=NODES[:, 1], z=0.0 * NODES[:, 2], u10=swirl(NODES)[:, 0], v10=swirl(NODES)[:, 1],
+                                   t2m=280.0 + NODES[:, 0]), {DIRECTION: "u10, v10"}, "Axes", 120),
+    Row("a jet in noise", lambda: vti("jet.vti", (12, 10, 1), id=numpy.arange(120), velocity=unit(120, 3) * numpy.where(numpy.arange(120) % 30 == 7, 100.0, 1.0)[:, None]),
+        {DIRECTION: "velocity"}, "velocity", 120, ("About 3 % of the glyphs are drawn smaller than in proportion", ), ScaleMode="Magnitude"),
     Row("DualSPHysics", lambda: legacy("sph.vtk", 0.01 * grid(8, 6, 5), Idp=numpy.arange(240), Vel=v_of(240), Rhop=numpy.full(240, 1000.0)),
         {DIRECTION: "Vel"}, "Vel", 240),
     Row("MRtrix, ODF", lambda: vti("odf.vti", (5, 4, 1), odf=RANDOM.normal(size=(20, 15)) * 0.05 + numpy.eye(15)[0] * 0.28),
