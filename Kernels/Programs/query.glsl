@@ -71,13 +71,12 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       }
       Glyph glyph = FetchGlyph(source, primitive);
       float low, high, before = hit.t;
-      bool near = Estimate(set, ray, glyph, tMin, hit.t, low, high) != RTG_MISSED;
       Span body = WholeRay();
-      if (partsOfRay > 1u && near)
+      if (partsOfRay > 1u)
       {
         body = SectionSpan(set, ray);
       }
-      for (uint part = 0u; part < partsOfRay && near && going; ++part)
+      for (uint part = 0u; part < partsOfRay && going; ++part)
       {
         GlyphCrossing found = hit;
         vec2 range = vec2(tMin, hit.t);
@@ -86,7 +85,8 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
           range = BeginPart(set, body, part, tMin, hit.t);
           found.t = range.y;
         }
-        if (range.x <= range.y && MeetGlyph(record, set, ray, primitive, glyph, seed, range.x, any, adds, found))
+        if (range.x <= range.y && Estimate(set, ray, glyph, range.x, range.y, low, high) != RTG_MISSED &&
+          MeetGlyph(record, set, ray, primitive, glyph, seed, range.x, any, adds, found))
         {
           going = !any;
           if (partsOfRay == 1u || !(layered && adds) || found.t < range.y)
