@@ -51,7 +51,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       {
         if (met.t <= hit.t)
         {
-          AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t));
+          AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t), 1.0);
           hit.t = LayersEnd(hit.t);
         }
       }
