@@ -22,6 +22,14 @@ uint layerTime[LAYER_CAPACITY]; // bits of t: of floats from 0 on they have thei
 uint layerGlyph[LAYER_CAPACITY];
 uint layerRecord[LAYER_CAPACITY];   // where there are several
 uint layerTriangle[LAYER_CAPACITY]; // where there are meshes or cuts
+float layerPassing[LAYER_CAPACITY]; // transmittance, 1 where unknown
+bool layersStopLight = false;       // what lies behind the last does not show
+
+// Whether opacities decide how many of them show: where all are alike the limit does.
+bool CountsLight()
+{
+  return layerLimit == LAYER_CAPACITY;
+}
 const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (someHave & SECTION)) != 0u;
 
 GlyphCrossing LayerAt(const uint at)
@@ -57,8 +65,9 @@ bool IsListed(const GlyphCrossing crossing, const float error)
   return listed;
 }
 
-// Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
-void AddLayer(const GlyphCrossing added, const float error)
+// Adds a crossing of that transmittance; of more than the limit, and of those that do not show, the farthest are
+// dropped. They come in nearly in their order.
+void AddLayer(const GlyphCrossing added, const float error, const float passing)
 {
   if (rayQueries && IsListed(added, error))
   {
@@ -69,6 +78,10 @@ void AddLayer(const GlyphCrossing added, const float error)
   {
     layerTime[at] = layerTime[at - 1u];
     layerGlyph[at] = layerGlyph[at - 1u];
+    if (CountsLight())
+    {
+      layerPassing[at] = layerPassing[at - 1u];
+    }
     if (!alone)
     {
       layerRecord[at] = layerRecord[at - 1u];
@@ -80,6 +93,7 @@ void AddLayer(const GlyphCrossing added, const float error)
   }
   layerTime[at] = floatBitsToUint(added.t);
   layerGlyph[at] = added.glyph;
+  layerPassing[at] = passing;
   if (!alone)
   {
     layerRecord[at] = added.record;
@@ -89,14 +103,27 @@ void AddLayer(const GlyphCrossing added, const float error)
     layerTriangle[at] = added.triangle;
   }
   layerCount = min(layerCount + 1u, layerLimit);
+  float light = 1.0;
+  for (uint i = 0u; CountsLight() && i < layerCount; ++i)
+  {
+    light *= layerPassing[i];
+    if (light < 0.99 * LEAST_PASSING)
+    {
+      layerCount = i + 1u;
+      layersStopLight = true;
+    }
+  }
 }
 
 // Up to where further layers are wanted, of those up to tMax. The driver's BVH yields the opaque ones among the
 // rest, so that the last of the layers may lie behind that.
 float LayersEnd(const float tMax)
 {
-  return layerCount == layerLimit ? min(tMax, LayerAt(layerLimit - 1u).t) : tMax;
+  return layerCount == layerLimit || layersStopLight ? min(tMax, LayerAt(layerCount - 1u).t) : tMax;
 }
+
+// Shapes (Shapes/List.h) that a ray enters and leaves once: sphere, box, cylinder, cone, capsule, round cone.
+const uint convexShapes = 0xc0fu;
 
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
 float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
@@ -105,12 +132,18 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   float t;
   vec3 normal;
   uint triangle;
+  uint most = ((convexShapes >> set.shape) & 1u) != 0u ? 2u : maximumPasses;
   for (uint crossing = 0u;
-       crossing < maximumPasses && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
-       ++crossing)
+       crossing < most && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle); ++crossing)
   {
     float error = ErrorOfT(set, ray, glyph, t);
-    AddLayer(GlyphCrossing(record, number, triangle, t, normal), error);
+    float opacity = 0.0;
+    if (CountsLight() && !Has(set.variants, MESH_TREE))
+    {
+      opacity =
+        Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
+    }
+    AddLayer(GlyphCrossing(record, number, triangle, t, normal), error, 1.0 - opacity);
     tMax = LayersEnd(tMax);
     tMin = t + error;
   }
@@ -162,7 +195,9 @@ bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
       found.t = range.y;
     }
     float end = found.t;
-    if (start <= end && MeetGlyph(record, set, ray, number, glyph, seed, start, any, gathers, found))
+    float low, high;
+    bool near = start <= end && (!rayQueries || Estimate(set, ray, number, glyph, start, end, low, high) != RTG_MISSED);
+    if (near && MeetGlyph(record, set, ray, number, glyph, seed, start, any, gathers, found))
     {
       met = true;
       if (!(layered && gathers) || found.t < end)

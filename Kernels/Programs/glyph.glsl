@@ -101,8 +101,9 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, co
     return EstimateMesh(set, ray, glyph, tMin, tMax, low, high);
   }
   int verdict = EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
-  // A glyph that takes its cut along may be cut off where it would be met.
-  return verdict == RTG_MET && Has(set.variants, SECTION_MOVES) ? RTG_UNKNOWN : verdict;
+  // A glyph that takes its cut along may be cut off where it would be met, and a round cone closed where it would not.
+  bool open = verdict == RTG_MET || IsOfShape(set.shape, RTG_OWN_ESTIMATE);
+  return open && Has(set.variants, SECTION_MOVES) ? RTG_UNKNOWN : verdict;
 }
 
 // A mesh is as large as its triangles are spread.

@@ -51,7 +51,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       {
         if (met.t <= hit.t)
         {
-          AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t));
+          AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t), 1.0);
           hit.t = LayersEnd(hit.t);
         }
       }
@@ -70,9 +70,8 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
         hit.t = min(hit.t, rayQueryGetIntersectionTEXT(query, true));
       }
       Glyph glyph = FetchGlyph(source, primitive);
-      float low, high, before = hit.t;
-      if (Estimate(set, ray, primitive, glyph, tMin, hit.t, low, high) != RTG_MISSED &&
-        MeetParts(record, set, ray, primitive, glyph, seed, tMin, any, adds, hit))
+      float before = hit.t;
+      if (MeetParts(record, set, ray, primitive, glyph, seed, tMin, any, adds, hit))
       {
         going = !any;
       }

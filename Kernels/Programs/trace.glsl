@@ -85,6 +85,7 @@ SurfaceHit Trace(const Query query, const bool gathers)
     {
       layerLimit = frame.layerLimit;
       layerCount = layerNext = 0u;
+      layersStopLight = false;
     }
     if (rayQueries)
     {

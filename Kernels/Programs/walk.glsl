@@ -49,7 +49,11 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           : i;
         float low, high;
         int verdict = Estimate(set, ray, glyph, FetchGlyph(source, glyph), tMin, hit.t, low, high);
-        // An estimated glyph is met twice; a ray that passes by both misses it.
+        if (chance && Has(set.variants, END_COLOURS) && verdict == RTG_MET)
+        {
+          verdict = RTG_UNKNOWN; // the opacity is that at the exact t
+        }
+        // An estimated glyph is met twice at most; a ray that passes by both misses it.
         bool passes =
           chance && verdict == RTG_MET && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
         if (passes && Passes(set, seed, glyph, CrossingNumber(set, 1u), OpacityOf(set, glyph)))

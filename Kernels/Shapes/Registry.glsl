@@ -59,13 +59,21 @@ RTG_FN Enclosure GlyphEnclosure(const RTG_SHAPE shape, const Glyph glyph)
   return outer;
 }
 
+#define RTG_OWN_ESTIMATE 11 // RoundCone, the only shape with an estimate of its own
 // What plain arithmetic proves of IntersectGlyph's result: one of Estimate.glsl's three.
 RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(real) low, RTG_OUT(real) high)
 {
   Enclosure outer = GlyphEnclosure(shape, glyph);
   EnclosureRay local = outer.inWorld ? ToSphere(ray, glyph, outer.radius) : ToEnclosure(ray, glyph, outer);
-  return Estimate(local, outer, tMin, tMax, low, high);
+  int verdict = Estimate(local, outer, tMin, tMax, low, high);
+  if (RTG_IS(shape, RTG_OWN_ESTIMATE) && verdict == RTG_UNKNOWN)
+  {
+    real lower;
+    verdict = EstimateRoundCone(ray, glyph, tMin, tMax, lower, high);
+    low = verdict == RTG_MET ? lower : max(low, lower);
+  }
+  return verdict;
 }
 
 // Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray: the crossing is found anew,

@@ -268,8 +268,220 @@ RTG_FN Enclosure RoundConeEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   RoundConeBox(glyph, outer.middle, outer.halfSize);
-  outer.radius = real(1.4142137); // round in y and z: to the rim of the box's end
+  // It lies in the capsule of the larger radius that fills the box: CapsuleEnclosure.
+  outer.radius = real(1.000001) * sqrt(real(2.0) / (real(1.0) + outer.halfSize.y / outer.halfSize.x));
   return outer;
+}
+
+#define RTG_OUTSIDE 0
+#define RTG_INSIDE 1
+
+// What is certain of InNextPiece(): RTG_OUTSIDE, RTG_INSIDE or RTG_UNKNOWN. Lengths are the world's; `own` is `cosine`
+// times that of InNextPiece(), `error` how far p may be moved, `extent` that of what is near.
+RTG_FN int EstimateInNextPiece(const real3 p, const real3 joint, const real radius, const real4 next,
+  const bool touches, const real own, const real cosine, const real error, const real extent)
+{
+  real3 far = real3(next.x, next.y, next.z);
+  real3 axis = far - joint;
+  real run = length(axis);
+  real sine = (radius - next.w) / run;
+  real squaredCosine = real(1.0) - sine * sine;
+  real along = dot(p - joint, axis) / run;
+  real beyond = (along - radius * sine) * cosine + own * sqrt(max(squaredCosine, real(0.0)));
+  real doubt = error * (real(4.0) + extent / run);
+  real toEnd = run + next.w * sine - along;
+  real depth = next.w * next.w - dot(p - far, p - far);
+  real depthDoubt = real(8.0) * extent * error;
+  int answer = RTG_UNKNOWN;
+  if (touches && beyond > doubt && (toEnd > doubt || depth > depthDoubt))
+  {
+    answer = RTG_INSIDE;
+  }
+  if (beyond < -doubt || (toEnd < -doubt && depth < -depthDoubt))
+  {
+    answer = RTG_OUTSIDE;
+  }
+  return squaredCosine > real(0.0625) ? answer : RTG_UNKNOWN;
+}
+
+// What is certain of IsInner(), at a point p of a round cone whose side has that sine and cosine.
+RTG_FN int EstimateInner(
+  const Glyph glyph, const real3 p, const real sine, const real cosine, const real error, const real extent)
+{
+  real halfLength = real(0.5) * glyph.size.x;
+  real first = real(0.5) * glyph.size.y;
+  real last = real(0.5) * glyph.size.z;
+  // From the planes of the circles of tangency.
+  real afterFirst = p.x + halfLength - first * sine;
+  real beforeLast = halfLength - p.x + last * sine;
+  real doubt = real(2.0) * error;
+  int inBefore = RTG_OUTSIDE;
+  int inAfter = RTG_OUTSIDE;
+  if (glyph.before.w > real(0.0))
+  {
+    bool side = beforeLast > doubt;
+    inBefore = EstimateInNextPiece(p, real3(-halfLength, real(0.0), real(0.0)), first, glyph.before, side,
+      side ? -afterFirst : real(0.0), cosine, error, extent);
+    if (!(afterFirst > doubt))
+    {
+      inBefore = afterFirst < -doubt ? RTG_INSIDE : RTG_UNKNOWN;
+    }
+  }
+  if (glyph.after.w > real(0.0))
+  {
+    bool touches = afterFirst > doubt;
+    inAfter = EstimateInNextPiece(p, real3(halfLength, real(0.0), real(0.0)), last, glyph.after, touches,
+      touches ? min(-beforeLast, real(0.0)) : real(0.0), cosine, error, extent);
+  }
+  bool cut = (glyph.before.w < real(0.0) && !(p.x + halfLength > doubt)) ||
+    (glyph.after.w < real(0.0) && !(halfLength - p.x > doubt));
+  int answer = RTG_UNKNOWN;
+  if (inBefore == RTG_OUTSIDE && inAfter == RTG_OUTSIDE)
+  {
+    answer = RTG_OUTSIDE;
+  }
+  if (inBefore == RTG_INSIDE || inAfter == RTG_INSIDE)
+  {
+    answer = RTG_INSIDE;
+  }
+  return cut ? RTG_UNKNOWN : answer;
+}
+
+// What plain float proves of a candidate that its enclosure leaves open: README.md, Estimates of round cones. Where the
+// ray may start inside, inner crossings count as if they were outer ones: a cut may close the piece there.
+RTG_FN int EstimateRoundCone(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) low, RTG_OUT(real) high)
+{
+  low = tMin;
+  high = tMax;
+  real along = glyph.size.x;
+  real halfLength = real(0.5) * along;
+  real first = real(0.5) * glyph.size.y;
+  real last = real(0.5) * glyph.size.z;
+  bool joined = glyph.before.w > real(0.0) || glyph.after.w > real(0.0);
+  bool hasDisc = glyph.before.w < real(0.0) || glyph.after.w < real(0.0);
+
+  real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
+  real nearest = -dot(v, ray.direction) / dot(ray.direction, ray.direction);
+  real3 p = RotateToLocal(glyph, v + nearest * ray.direction);
+  real3 d = RotateToLocal(glyph, ray.direction);
+  real extent =
+    halfLength + max(first, last) + max(glyph.before.w, real(0.0)) + max(glyph.after.w, real(0.0));
+  real moved = real(16.0 * RTG_ROUNDOFF) * (abs(v.x) + abs(v.y) + abs(v.z) + real(6.0) * extent);
+  real doubt = real(4.0) * (extent + moved) * moved;
+  if (!(doubt > real(1.0e-30) && doubt < real(1.0e30)))
+  {
+    return RTG_UNKNOWN;
+  }
+
+  // Where the line crosses the cone, in plain numbers.
+  real sine = (first - last) / along;
+  real squaredCosine = real(1.0) - sine * sine;
+  bool ball = !(squaredCosine > real(0.0625));
+  real cosine = sqrt(max(squaredCosine, real(0.0625)));
+  real start = p.x + halfLength;
+  real radius = (first - start * sine) / cosine;
+  real rate = -d.x * sine / cosine;
+  real a = d.y * d.y + d.z * d.z - rate * rate;
+  real b = p.y * d.y + p.z * d.z - radius * rate;
+  real c = p.y * p.y + p.z * p.z - radius * radius;
+  real root = sqrt(max(b * b - a * c, real(0.0)));
+  real dd = dot(d, d);
+  real perUnit = inversesqrt(dd);
+
+  int verdict = RTG_UNKNOWN;
+  bool outside = true; // the ray surely starts there
+  bool going = true;
+  // Where it enters; and where it leaves, if it enters inside the line.
+  for (int turn = 0; turn < 2 && going; ++turn)
+  {
+    real sign = turn == 0 ? real(1.0) : real(-1.0);
+    // The middle of the ball that touches the cone there.
+    real middle = (start - (b + sign * root) / a * d.x - first * sine) / squaredCosine;
+    if (!(a > real(0.0)) && !(sign * rate > real(0.0)))
+    {
+      middle = sign * d.x > real(0.0) ? real(0.0) : along;
+    }
+    if (ball)
+    {
+      middle = first < last ? along : real(0.0);
+    }
+    middle = middle > real(0.0) ? min(middle, along) : real(0.0);
+    real ballRadius = first - middle * sine;
+    real3 m = p - real3(middle - halfLength, real(0.0), real(0.0));
+    real toNearest = -dot(m, d) / dd;
+    real3 q = m + toNearest * d;
+    real qq = dot(q, q);
+    real depth = ballRadius * ballRadius - qq;
+    going = depth > real(4.0) * doubt;
+    if (going)
+    {
+      real halfChord = sqrt(depth);
+      real toSurface = sign * perUnit * halfChord;
+      real3 n = q - toSurface * d;
+      // How far the balls at the ends reach beyond the plane that touches the ball there.
+      real tilt = n.x - ballRadius * sine;
+      real excess = max(max(-middle * tilt, (along - middle) * tilt), real(0.0)) / halfChord;
+      real uncertain = real(2.0) * (moved + doubt / halfChord);
+      real at = nearest + (toNearest - toSurface);
+      real inner = at + sign * perUnit * uncertain;
+      real outer = at - sign * perUnit * (uncertain + excess);
+      int isInner = RTG_OUTSIDE;
+      if (joined || hasDisc)
+      {
+        isInner = ball ? RTG_UNKNOWN
+                       : EstimateInner(glyph, n + real3(middle - halfLength, real(0.0), real(0.0)), sine, cosine,
+                           real(2.0) * (uncertain + moved) + excess, extent);
+      }
+      if (turn == 0)
+      {
+        outside = outer >= tMin;
+        low = max(outer, tMin);
+        going = !outside || isInner == RTG_INSIDE;
+        if (isInner == RTG_OUTSIDE && outside && inner <= tMax)
+        {
+          verdict = RTG_MET;
+          high = inner;
+        }
+      }
+      else
+      {
+        if (outside && isInner == RTG_INSIDE)
+        {
+          verdict = RTG_MISSED;
+        }
+        if (outside && !hasDisc)
+        {
+          low = max(low, inner);
+        }
+        if (outer < tMin)
+        {
+          verdict = RTG_MISSED;
+        }
+        if (isInner == RTG_OUTSIDE && outside && outer <= tMax)
+        {
+          verdict = RTG_MET;
+          low = inner;
+          high = outer;
+        }
+      }
+      if (low > tMax)
+      {
+        verdict = RTG_MISSED;
+        going = false;
+      }
+    }
+    else
+    {
+      // It passes by if both balls lie behind a plane along it.
+      real distance = sqrt(qq);
+      if (min(qq + q.x * middle - first * distance, qq - q.x * (along - middle) - last * distance) > doubt)
+      {
+        verdict = RTG_MISSED;
+      }
+    }
+  }
+  return verdict;
 }
 
 RTG_FN real3 RoundConeNormal(const Glyph glyph, const RoundConeForm form, const LocalRay local, const Crossing crossing)

@@ -24,7 +24,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +36,8 @@ namespace
 
 using benchmark::Crowd;
 
-constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000, curves = 400, pieces = 500;
+constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000, curves = 400, pieces = 500,
+                      movers = 20000;
 
 rtg::GlyphInstances Surface(rtg::TriangleMesh mesh)
 {
@@ -143,6 +146,54 @@ rtg::GlyphInstances Spheres(std::size_t count, float size)
   return instances;
 }
 
+/// The paths of balls through their last steps, each a quarter of their diameter: tubes of half of it that taper.
+rtg::GlyphInstances Trails(const rtg::GlyphInstances& balls, bool fading)
+{
+  constexpr int steps = 50;
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal;
+  const auto vector = [&]
+  {
+    const float x = normal(random), y = normal(random);
+    return glm::vec3(x, y, normal(random));
+  };
+  rtg::GlyphInstances trails;
+  trails.shape = rtg::Shape::RoundCone;
+  for (const glm::vec3& ball : balls.centres)
+  {
+    std::vector<glm::vec3> places{ ball };
+    glm::vec3 direction = glm::normalize(vector());
+    for (int step = 0; step < steps; ++step)
+    {
+      direction = glm::normalize(direction + 0.1f * vector());
+      places.push_back(places.back() + 0.25f * balls.uniformSize * direction);
+    }
+    const auto diameter = [&](int step) { return 0.5f * balls.uniformSize * float(steps - step) / steps; };
+    for (int step = 0; step < steps; ++step)
+    {
+      const glm::vec3 centre = 0.5f * (places[step] + places[step + 1]), along = places[step + 1] - places[step],
+                      axis = glm::normalize(along);
+      const glm::quat turn = glm::normalize(glm::quat(1.0f + axis.x, 0.0f, -axis.z, axis.y));
+      const auto end = [&](int beyond)
+      {
+        return beyond < 0 || beyond > steps
+          ? glm::vec4(0.0f)
+          : glm::vec4(glm::conjugate(turn) * (places[beyond] - centre), 0.5f * diameter(beyond));
+      };
+      trails.centres.push_back(centre);
+      trails.sizes3.emplace_back(glm::length(along), diameter(step), diameter(step + 1));
+      trails.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
+      if (fading)
+      {
+        trails.before.push_back(end(step - 1));
+        trails.after.push_back(end(step + 2));
+        trails.opacities.push_back(float(steps - step) / (steps + 1));
+      }
+    }
+  }
+  return trails;
+}
+
 /// The same with one more a million sizes away, which no picture shows.
 rtg::GlyphInstances WithOutlier(rtg::GlyphInstances instances)
 {
@@ -186,8 +237,9 @@ public:
       rtg::Material material;
       material.opacity = part.opacity;
       material.section = part.section;
-      this->translucent_ |= part.opacity < 1.0f;
-      this->opaque_ |= part.opacity == 1.0f;
+      const bool translucent = part.opacity < 1.0f || rtg::IsTranslucent(part.instances);
+      this->translucent_ |= translucent;
+      this->opaque_ |= !translucent;
 #ifdef RTGLYPHS_EMBREE
       this->embree_.Add(part.instances);
 #endif
@@ -335,6 +387,10 @@ try
   add("balls", { { Spheres(balls, 1.0f) } });
   add("balls, opacity 0.3", { { Spheres(balls, 1.0f), 0.3f } });
   add("balls, opacity 0.3, surface", { { Spheres(balls, 1.0f), 0.3f }, { Sheet() } });
+  const rtg::GlyphInstances moving = Spheres(movers, 1.0f);
+  add("moving balls", { { moving } });
+  add("moving balls, trails", { { moving }, { Trails(moving, false) } });
+  add("moving balls, fading trails", { { moving }, { Trails(moving, true) } });
   for (int i = -1; i < repetitions; ++i) // the first one compiles
   {
     for (const auto& subject : subjects)

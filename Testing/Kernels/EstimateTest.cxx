@@ -94,8 +94,8 @@ std::vector<Subject> AllSubjects()
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EstimateTest, ::testing::ValuesIn(AllSubjects()), SubjectName);
 
-/// Plain scenes: spheres and ellipsoids need no exact answer but near their silhouettes, and of rays that pass
-/// by another shape's box hardly one does.
+/// Plain scenes: spheres, ellipsoids and round cones need no exact answer but near their silhouettes, and of rays that
+/// pass by another shape's box hardly one does.
 TEST(EstimatePlainTest, LeavesLittleOpen)
 {
   using Kernel = rtg::shapes::Kernel<float>;
@@ -103,7 +103,7 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   // By shape the fraction of rays that may miss it and stay open: what it leaves of its box and of the ball round it.
   const std::pair<rtg::Shape, double> shares[] = { { rtg::Shape::Sphere, 0.005 }, { rtg::Shape::Box, 0.005 },
-    { rtg::Shape::Capsule, 0.03 }, { rtg::Shape::Arrow, 0.1 } };
+    { rtg::Shape::Capsule, 0.03 }, { rtg::Shape::Arrow, 0.1 }, { rtg::Shape::RoundCone, 0.005 } };
   for (const auto& [shape, share] : shares)
   {
     int open = 0, openMisses = 0;
@@ -132,7 +132,7 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
       }
     }
     EXPECT_LT(openMisses, share * rays) << int(shape);
-    if (shape == rtg::Shape::Sphere)
+    if (shape == rtg::Shape::Sphere || shape == rtg::Shape::RoundCone)
     {
       EXPECT_LT(open, rays / 200);
     }
