@@ -1,4 +1,4 @@
-"""The pictures at the head of the README, which demo.sh draws, and others of the gallery: from simulation data to figures for print.
+"""The pictures at the head of the README, which demo.sh draws, and others of the gallery: from data to figures for print.
 
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython cover.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT [NAME...]]      (default: 1600 1000 and the first four)
 What DATA-FOLDER lacks is made in the output folder by the scripts there.
@@ -19,6 +19,8 @@ SIZE = [int(value) for value in sys.argv[3:5]] or [1600, 1000]
 EMBER = (0.0, 0.78, 0.79, 0.81, 0.3, 0.95, 0.78, 0.45, 0.6, 0.90, 0.42, 0.10, 1.0, 0.55, 0.04, 0.06)
 #: From blue over green to red, none of them pale
 RAINBOW = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
+#: Arnold, Beltrami and Childress: a flow along which the vorticity is the velocity
+FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+cos(0.4*coordsZ))+kHat*(0.7*sin(0.4*coordsY)+0.8*cos(0.4*coordsX))"
 
 
 def made(script, path, *numbers, source=()):
@@ -106,8 +108,17 @@ def crossing(_, folder):
            GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((18.0, -6.0, 14.0), (10.3, 10.0, 1.5)), angle=28.0)
 
 
+def streamlines(*_):
+    """A flow through a cube as tubes."""
+    flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
+    lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
+    lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
+    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)))
+
+
 #: the first four are those of the README and of demo.sh
-PICTURES = {"vessel": vessel, "fibers": fibers, "packing": packing, "motion": motion, "impact": impact, "chains": chains, "crossing": crossing}
+PICTURES = {"vessel": vessel, "fibers": fibers, "chains": chains, "motion": motion, "packing": packing, "impact": impact, "crossing": crossing,
+            "streamlines": streamlines}
 
 
 def main():

@@ -147,7 +147,8 @@ def figure(name, part, case, checks):
     kind = wanted.pop("GlyphShape", None) or wanted.pop("GlyphType")
     path = session.output("figure-%s.png" % name)
     shown = raytracedglyphs.Figure(case["shown"].Input, kind, path, size=(80, 60), quality="Fast", **wanted)
-    for key in [*wanted, "GlyphType", "GlyphShape"]:
+    checks.equal(name + ": GlyphType of the figure", shown.GlyphType.GetXMLName(), case["shown"].GlyphType.GetXMLName())
+    for key in [*wanted, "GlyphShape"]:
         checks.equal("%s: %s of the figure" % (name, key), str(shown.GetPropertyValue(key)), str(case["shown"].GetPropertyValue(key)))
     picture = session.read_image(path)
     checks.true(name + ": the figure is empty", (picture != picture[0, 0]).any())

@@ -126,7 +126,7 @@ def quality(checks, view, shown):
         return [[str(display.GetPropertyValue(name)).strip("'") for name in
                  ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising", "Shadows", "GroundShadow")] for display in shown]
 
-    meant = {"Fast": ["Fast", "Local", "4", "While Refining", "0", "None"], "Publication": ["Publication", "Ambient Occlusion", "256", "Never", "1", "Below"],
+    meant = {"Fast": ["Fast", "Local", "4", "While Refining", "0", "None"], "Publication": ["Publication", "Ambient Occlusion", "256", "While Refining", "1", "Below"],
              "Path Tracing": ["Path Tracing", "Path Tracing", "64", "While Refining", "1", "Below"],  # as it was
              "Balanced": ["Balanced", "Ambient Occlusion", "32", "While Refining", "0", "None"]}
     for number, (name, values_of_it) in enumerate(meant.items()):
