@@ -61,20 +61,25 @@ def vessel(data, folder):
            camera=((1.5, 6.6, -2.6), (1.8, 0.0, 0.13)), up=(0.0, 0.0, -1.0), angle=21.0, **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
 
 
-def grains(data, camera, **properties):
+def grains(data, time, camera, **properties):
     """Grains that a ball has hit, by speed, on a ground that catches their shadows."""
-    figure(at(0.8, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", 8.0, "speed", EMBER, (0.63, 0.86)), Orient=0,
+    figure(at(time, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", 8.0, "speed", EMBER, (0.63, 0.86)), Orient=0,
            ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0, GroundShadow="Below", **properties)
 
 
 def impact(data, _):
     """The grains at one moment."""
-    grains(data, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)))
+    grains(data, 0.8, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)))
 
 
 def motion(data, _):
     """The grains while the shutter is open: streaks show how fast and where to."""
-    grains(data, ((9.0, -34.0, 15.0), (14.3, 14.0, 5.5)), samples=32, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.3, 14.0, 5.5)), samples=32, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+
+
+def trails(data, _):
+    """Grains that the ball has thrown up, and where they were in the steps before."""
+    grains(data, 1.5, ((9.0, -36.0, 24.0), (14.3, 14.0, 6.5)), TrailSteps=4, PointIdArray="id")
 
 
 def fibers(_, folder):
@@ -117,8 +122,8 @@ def streamlines(*_):
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"vessel": vessel, "fibers": fibers, "chains": chains, "motion": motion, "packing": packing, "impact": impact, "crossing": crossing,
-            "streamlines": streamlines}
+PICTURES = {"vessel": vessel, "fibers": fibers, "chains": chains, "motion": motion, "packing": packing, "impact": impact, "trails": trails,
+            "crossing": crossing, "streamlines": streamlines}
 
 
 def main():
