@@ -88,14 +88,14 @@ def ExportGlyphs(fileName, view=None):
     exporter.Write()
 
 
-def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1600, 1200), quality="Publication", **properties):
+def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1600, 1200), quality="Publication", logarithmic=False, **properties):
     """Shows a source as a figure for print: on white, with a RenderingQuality and a scalar bar. Returns the display.
 
     kind: a GlyphType or GlyphShape such as "Arrow" or "Tensor Ellipsoid", or "Surface" or "Tubes". fileName: path of a picture of
     that size, in pixels; None: no picture, so that camera and properties can be changed first. colors: name of the
-    point or cell array that colors them; None: the array of the glyphs' directions or sizes, if any; "": none. view:
-    None: a new one; its camera is kept in all others. quality: a RenderingQuality. properties: of the display, such as
-    GroundShadow="Below"; a dot leads to one of a property: **{"GlyphType.TipRadius": 0.2}.
+    point or cell array that colors them; None: the array of a GlyphType's directions or sizes, if any; "": none. view:
+    None: a new one; its camera is kept in all others. quality: a RenderingQuality. logarithmic: of the colors. properties: of the
+    display, such as OutlineWidth=1; a dot leads to one of a property: **{"GlyphType.TipRadius": 0.2}.
     """
     isNew = view is None
     if isNew:
@@ -108,8 +108,8 @@ def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1
     others = {"Surface": "Ray Traced Surface", "Tubes": "Ray Traced Tubes"}
     display.SetRepresentationType(others.get(kind, "Ray Traced Glyphs"))
     if kind not in others:
-        types = display.GetProperty("GlyphType").Available
-        setattr(display, "GlyphType" if kind in types else "GlyphShape", kind)
+        isType = kind in display.GetProperty("GlyphType").Available
+        setattr(display, "GlyphType" if isType else "GlyphShape", kind)
     if isNew:
         # ParaView renders when a camera is reset.
         display.RenderingQuality, display.SamplesPerPixel = "Fast", 1
@@ -118,7 +118,9 @@ def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1
     for name, value in properties.items():
         owner, _, last = name.rpartition(".")
         setattr(getattr(display, owner) if owner else display, last, value)
-    _Color(source, display, view, colors)
+    if colors is None and kind not in others and not (isType and display.GlyphDirectionColoring == "None"):
+        colors = ""
+    _Color(source, display, view, colors, logarithmic)
     if fileName:
         pv.SaveScreenshot(fileName, view, ImageResolution=list(size))
     return display
@@ -133,20 +135,25 @@ def _LookFromAbove(view):
     pv.ResetCamera(view)
 
 
-def _Color(source, display, view, name):
+def _Color(source, display, view, name, logarithmic):
     """Colors a display by an array, with a scalar bar beside the glyphs."""
+    arrays = {array.Name: association for association, data in (("CELLS", source.CellData), ("POINTS", source.PointData)) for array in data}
     if name is None:
         asked = [("Orient", "SelectOrientationVectors"), ("Scaling", "SelectScaleArray")]
-        chosen = [display.GetPropertyValue(array) for switch, array in asked if display.GetProperty(switch) and display.GetPropertyValue(switch)]
-        name = next((array for array in chosen if array and array != "None"), "")
-    for association, arrays in (("POINTS", source.PointData), ("CELLS", source.CellData)):
-        if name and arrays.GetArray(name):
-            pv.ColorBy(display, (association, name))
-            display.RescaleTransferFunctionToDataRange(False, True)
-            display.SetScalarBarVisibility(view, True)
-            bar = pv.GetScalarBar(pv.GetColorTransferFunction(name), view)
-            bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-            return
-    if name:
+        chosen = [display.SMProxy.GetProperty(array).GetElement(0) for switch, array in asked if display.GetProperty(switch) and display.GetPropertyValue(switch)]
+        name = next((array for array in chosen if array in arrays), "")
+    if not name:
+        display.ColorArrayName = [None, ""]
+        return
+    if name not in arrays:
         raise ValueError("There is no point or cell array '%s' to color by; colors=\"\" gives one color." % name)
-    display.ColorArrayName = [None, ""]
+    pv.ColorBy(display, (arrays[name], name))
+    display.RescaleTransferFunctionToDataRange(False, True)
+    table = pv.GetColorTransferFunction(name)
+    if logarithmic:
+        table.MapControlPointsToLogSpace()
+        table.UseLogScale = 1
+    display.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(table, view)
+    bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.TitleFontSize = bar.LabelFontSize = max(8, view.ViewSize[1] // 45)

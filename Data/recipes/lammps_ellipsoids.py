@@ -25,9 +25,7 @@ with open("molecules.dump", "w") as file:
         file.write("%d 1 %s\n" % (i + 1, " ".join("%.8g" % number for number in (*positions[i], *quaternions[i], *shapes[i]))))
 
 # --- recipe
-lines = open("molecules.dump").read().split("\n")
-lines[8] = lines[8].replace("ITEM: ATOMS ", "")
-open("molecules.csv", "w").write("\n".join(lines[8:]))
+open("molecules.csv", "w").write(open("molecules.dump").read().split("ITEM: ATOMS ")[1])
 table = CSVReader(FileName=["molecules.csv"], FieldDelimiterCharacters=" ")
 molecules = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
 view = GetActiveViewOrCreate("RenderView")

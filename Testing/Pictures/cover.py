@@ -1,6 +1,6 @@
-"""The pictures at the head of the README, and of demo.sh: the main job from simulation data to figures for print.
+"""The pictures at the head of the README, which demo.sh draws, and others of the gallery: from data to figures for print.
 
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython cover.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT [NAME...]]      (default: 1200 900 and the first four)
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython cover.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT [NAME...]]      (default: 1600 1000 and the first four)
 What DATA-FOLDER lacks is made in the output folder by the scripts there.
 """
 import os
@@ -14,138 +14,124 @@ import simulation
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
 import raytracedglyphs  # noqa: E402
 
-#: Speed from blue over green to red, none of them pale
-SPEED = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
+SIZE = [int(value) for value in sys.argv[3:5]] or [1600, 1000]
+#: From pale gray, which leaves what is slow or weak in the background, over yellow and orange to dark red
+EMBER = (0.0, 0.78, 0.79, 0.81, 0.3, 0.95, 0.78, 0.45, 0.6, 0.90, 0.42, 0.10, 1.0, 0.55, 0.04, 0.06)
+#: From blue over green to red, none of them pale
+RAINBOW = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
+#: Arnold, Beltrami and Childress: a flow along which the vorticity is the velocity
+FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+cos(0.4*coordsZ))+kHat*(0.7*sin(0.4*coordsY)+0.8*cos(0.4*coordsX))"
 
 
-def made(script, folder, *arguments):
-    """Runs a script of the data folder with the output folder, or a file in it, as its first argument."""
-    subprocess.run(["/usr/bin/python3", os.path.join(sys.argv[1], script), folder, *arguments], check=True)
+def made(script, path, *numbers, source=()):
+    """The file or folder that a script of the data folder makes."""
+    subprocess.run(["/usr/bin/python3", os.path.join(sys.argv[1], script), *source, path, *numbers], check=True)
+    return path
 
 
-def at(source, time):
-    """The source at a time, of which all views show the same."""
-    pv.GetAnimationScene().AnimationTime = time
-    pv.UpdatePipeline(time, source)
+def at(time, *path):
+    """A series, and all views, at a time; -1: the last."""
+    source = pv.OpenDataFile(os.path.join(*path))
+    pv.GetAnimationScene().AnimationTime = source.TimestepValues[-1] if time < 0 else time
     return source
 
 
-def place(view, position, focus, up=(0.0, 0.0, 1.0), angle=30.0):
-    """Sets the camera."""
-    simulation.look(view, position, focus, up)
-    view.CameraViewAngle = angle
-
-
-def bar(view, array, limits, title, preset=None, where=(0.63, 0.86)):
-    """Range, title and place of a scalar bar."""
-    display = raytracedglyphs.Displays(view)[-1]
-    table = pv.GetColorTransferFunction(array)
-    simulation.scalar_bar(table, display, view, limits, preset or "Viridis", title, where)
-    return table
-
-
-def finish(display, samples):
-    """Few samples, whose noise is smoothed."""
-    display.SamplesPerPixel, display.Denoising = samples, "Always"
+def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0, bar=None, **properties):
+    """raytracedglyphs.Figure() with few samples, whose noise is smoothed. camera: position, focal point. bar: array, largest value, title, colors, place."""
+    shown = raytracedglyphs.Figure(source, kind, size=SIZE, colors=bar[0] if bar else "", SamplesPerPixel=samples, Denoising="Always", **properties)
+    view = pv.GetActiveView()
+    if bar:
+        table = pv.GetColorTransferFunction(bar[0])
+        simulation.scalar_bar(table, shown, view, (0.0, bar[1]), "Viridis", bar[2], bar[4])
+        table.ColorSpace = "RGB"
+        table.RGBPoints = [value * (bar[1] if i % 4 == 0 else 1.0) for i, value in enumerate(bar[3])]
+    if camera:
+        simulation.look(view, *camera, up)
+        view.CameraViewAngle = angle
+    return shown
 
 
 def vessel(data, folder):
     """Arrows of particles that are blown into a chamber, path traced."""
-    made("injection.py", os.path.join(folder, "injection"), "36", "5000")
-    wall = raytracedglyphs.Figure(pv.OpenDataFile(os.path.join(folder, "injection", "chamber.vtk")), "Surface", colors="", quality="Path Tracing",
-                                  DiffuseColor=[0.80, 0.82, 0.85])
-    view = pv.GetActiveView()
-    series = pv.OpenDataFile(os.path.join(folder, "injection", "injection.vtk.series"))
-    raytracedglyphs.Figure(at(series, series.TimestepValues[-1]), "Arrow", view=view, colors="velocity", quality="Path Tracing", Orient=1, Scaling=1,
-                           SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed",
-                           ArrowReferenceMagnitude=2.2, **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
-    bar(view, "velocity", (0.0, 5.0), "speed").RGBPoints = [value * (5.0 if i % 4 == 0 else 1.0) for i, value in enumerate(SPEED)]
-    place(view, (1.75, 5.6, -1.6), (1.75, 0.0, 0.05), (0.0, 0.0, -1.0), 27.0)
-    finish(wall, 16)
+    folder = made("injection.py", os.path.join(folder, "injection"), "36", "5000")
+    series = at(-1, folder, "injection.vtk.series")
+    figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4)
+    figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", 5.0, "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
+           SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
+           camera=((1.5, 6.6, -2.6), (1.8, 0.0, 0.13)), up=(0.0, 0.0, -1.0), angle=21.0, **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
 
 
-def grains(data, position, focus, samples, **properties):
+def grains(data, time, camera, **properties):
     """Grains that a ball has hit, by speed, on a ground that catches their shadows."""
-    source = at(pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series")), 0.8)
-    shown = raytracedglyphs.Figure(source, "Sphere", colors="velocity", Orient=0, ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0,
-                                   GroundShadow="Below", **properties)
-    view = pv.GetActiveView()
-    bar(view, "velocity", (0.0, 8.0), "speed", "Plasma")
-    place(view, position, focus)
-    finish(shown, samples)
+    figure(at(time, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", 8.0, "speed", EMBER, (0.63, 0.86)), Orient=0,
+           ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0, GroundShadow="Below", **properties)
 
 
 def impact(data, _):
     """The grains at one moment."""
-    grains(data, (9.0, -36.0, 27.0), (14.3, 14.0, 3.2), 16)
+    grains(data, 0.8, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)))
 
 
 def motion(data, _):
     """The grains while the shutter is open: streaks show how fast and where to."""
-    grains(data, (9.0, -30.0, 17.0), (14.3, 14.0, 5.0), 32, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.3, 14.0, 5.5)), samples=32, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
 
 
-def fibers(data, folder):
+def trails(data, _):
+    """Grains that the ball has thrown up, and where they were in the steps before."""
+    grains(data, 1.5, ((9.0, -36.0, 24.0), (14.3, 14.0, 6.5)), TrailSteps=4, PointIdArray="id")
+
+
+def fibers(_, folder):
     """Diffusion tensors of a bundle of fibers along a helix, by principal direction, with occlusion and shadows."""
-    file = os.path.join(folder, "helix.vtk")
-    made("helix.py", file)
-    inside = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
-    shown = raytracedglyphs.Figure(inside, "Tensor Superquadric", colors="", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz",
-                                   GlyphDirectionColoring="Axes", GroundShadow="Below")
-    shown.ScaleFactor = 1.8 * shown.ScaleFactor
-    place(pv.GetActiveView(), (2.6, -3.0, 1.9), (0.0, 0.0, -0.05))
-    finish(shown, 16)
+    inside = pv.Threshold(Input=pv.OpenDataFile(made("helix.py", os.path.join(folder, "helix.vtk"), "40")), Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
+    figure(inside, "Tensor Superquadric", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz", GlyphDirectionColoring="Axes", ScaleFactor=0.055,
+           GroundShadow="Below", camera=((2.2, -3.6, -0.6), (0.0, 0.0, 0.0)), up=(1.0, 0.0, 0.0), angle=28.0)
 
 
 def chains(data, folder):
     """Chains of forces between the grains that a ball has just hit."""
-    file = os.path.join(folder, "contacts.vtk")
-    subprocess.run(["/usr/bin/python3", os.path.join(data, "contacts.py"), os.path.join(data, "impact", "impact_02.vtk"), file], check=True)
-    thick = pv.Calculator(Input=pv.LegacyVTKReader(FileNames=[file]), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    shown = raytracedglyphs.Figure(thick, "Tubes", colors="force", TubeRadiusArray="root", TubeRadius=0.006, quality="Path Tracing")
-    view = pv.GetActiveView()
-    bar(view, "force", (0.0, 990.0), "force between two grains", "Plasma")
-    place(view, (10.0, -12.0, 17.0), (12.9, 12.0, 5.5), angle=21.0)
-    finish(shown, 16)
+    file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
+    thick = pv.Calculator(Input=pv.OpenDataFile(file), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
+    figure(thick, "Tubes", bar=("force", 1000.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.006, GroundShadow="Below",
+           camera=((10.0, -26.0, 14.0), (13.8, 12.0, 3.0)), angle=27.0)
 
 
-def packing(data, folder):
+def packing(_, folder):
     """Superquadrics that do not touch, cut open by a plane: the cut faces are exact, too."""
-    file = os.path.join(folder, "packing.vtk")
-    made("packing.py", file)
-    shown = raytracedglyphs.Figure(pv.OpenDataFile(file), "Superquadric", colors="", GlyphExponentArray="exponents", SelectScaleArray="lengths",
-                                   ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion",
-                                   DiffuseColor=[0.35, 0.55, 0.80], Section="Plane", SectionOrigin=[0.5, 0.42, 0.5], SectionNormal=[0.25, -1.0, 0.35],
-                                   SectionCaps="Colored Caps", SectionCapColor=[0.95, 0.62, 0.25], OutlineWidth=1.0, GroundShadow="Below")
-    place(pv.GetActiveView(), (2.0, -1.7, 1.75), (0.5, 0.52, 0.44))
-    finish(shown, 16)
+    figure(pv.OpenDataFile(made("packing.py", os.path.join(folder, "packing.vtk"))), "Superquadric", GlyphExponentArray="exponents", SelectScaleArray="lengths",
+           ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion",
+           DiffuseColor=[0.42, 0.60, 0.78], Section="Plane", SectionOrigin=[0.5, 0.42, 0.5], SectionNormal=[0.25, -1.0, 0.35],
+           SectionCaps="Colored Caps", SectionCapColor=[1.0, 0.72, 0.30], OutlineWidth=1.5, GroundShadow="Below", camera=((1.6, -1.9, 1.45), (0.52, 0.5, 0.46)))
 
 
 def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
-    file = os.path.join(folder, "odf.vtk")
-    made("odf.py", file, "20")
-    shown = raytracedglyphs.Figure(pv.OpenDataFile(file), "Spherical Harmonics", colors="", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3")
-    view = pv.GetActiveView()
-    focus = list(view.CameraFocalPoint)
-    place(view, [f + d for f, d in zip(focus, (5.0, -20.0, 22.0))], focus, angle=28.0)
-    finish(shown, 16)
+    voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
+    fibers = pv.Threshold(Input=pv.Calculator(Input=voxels, ResultArrayName="share", Function="shares_X+shares_Y"), Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0)
+    figure(fibers, "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.15,
+           GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((18.0, -6.0, 14.0), (10.3, 10.0, 1.5)), angle=28.0)
+
+
+def streamlines(*_):
+    """A flow through a cube as tubes."""
+    flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
+    lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
+    lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
+    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)))
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"packing": packing, "chains": chains, "impact": impact, "motion": motion, "fibers": fibers, "vessel": vessel, "crossing": crossing}
+PICTURES = {"vessel": vessel, "fibers": fibers, "chains": chains, "motion": motion, "packing": packing, "impact": impact, "trails": trails,
+            "crossing": crossing, "streamlines": streamlines}
 
 
 def main():
     """Makes the pictures, the one that shows the most first."""
     data, folder = simulation.begin()
-    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     for name in sys.argv[5:] or list(PICTURES)[:4]:
         PICTURES[name](data, folder)
-        view = pv.GetActiveView()
-        view.ViewSize = size
-        pv.Render(view)
-        simulation.save(view, folder, "cover-" + name, size)
+        simulation.save(pv.GetActiveView(), folder, "cover-" + name, SIZE)
     pv.Disconnect()
 
 

@@ -1,18 +1,11 @@
-"""Glyphs of direction: orientation distribution functions of two bundles of fibers that cross, locally shaded and with ambient occlusion, and the
-stiffness of crystals.
+"""The stiffness of crystals by direction.
 
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython directions.py ODF.vtk OUTPUT-FOLDER [SAMPLES [WIDTH HEIGHT]]
-ODF.vtk is what Data/odf.py makes with 20 voxels a side.
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython directions.py DATA-FOLDER OUTPUT-FOLDER
 """
-import os
-import sys
-
 import numpy
 import paraview.simple as pv
-from vtkmodules.numpy_interface import dataset_adapter
 
 import simulation
-from shading_modes import pixels_of, write
 from simulation import source
 
 #: Stiffness in GPa at room temperature, c11 c12 c13 c33 c44 c14; of cubic crystals c13 is c12 and c33 is c11.
@@ -45,40 +38,11 @@ def crystals(view):
     return shown
 
 
-def crossing(view, path):
-    """Two layers of the voxels that have fibers."""
-    reader = pv.OpenDataFile(path)
-    reader.UpdatePipeline()
-    adapter = dataset_adapter.WrapDataObject(pv.servermanager.Fetch(reader))
-    points, shares = numpy.array(adapter.Points), numpy.array(adapter.PointData["shares"])
-    kept = (points[:, 2] < 2) & (shares.sum(axis=1) > 0.3)
-    shown = simulation.show(source(points[kept], odf=numpy.array(adapter.PointData["odf"])[kept]), view, "Spherical Harmonics",
-                            GlyphHarmonicsArray="odf", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.1, Orient=0,
-                            GlyphDirectionColoring="Axes", Ambient=0.2)
-    simulation.look(view, (7.5, -5.0, 16.0), (10.2, 10.2, 0.5), (0.0, 1.0, 0.0))
-    view.CameraViewAngle = 18.0
-    return shown
-
-
 def main():
-    """Makes the pictures: two modes beside each other, and one."""
-    path, folder = simulation.begin()
-    samples = int(sys.argv[3]) if len(sys.argv) > 3 else 32
-    size = [int(value) for value in sys.argv[4:6]] or [400, 300]
-    view = simulation.new_view(size)
-    shown = crossing(view, path)
-    shown.SamplesPerPixel = samples
-    row = []
-    for mode in ("Local", "Ambient Occlusion"):
-        shown.ShadingMode = mode
-        picture = simulation.write(view, folder, "odf-" + mode.split()[0].lower(), size)
-        row.append(pixels_of(picture))
-        os.remove(picture)
-    write(os.path.join(folder, "odf.png"), numpy.concatenate(row, axis=1))
-    pv.Delete(view)
-
+    """Makes the picture."""
+    _, folder = simulation.begin()
     view = simulation.new_view([720, 194])
-    crystals(view).SamplesPerPixel = samples
+    crystals(view).SamplesPerPixel = 32
     simulation.save(view, folder, "crystals", [720, 194])
     pv.Disconnect()
 

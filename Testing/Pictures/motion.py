@@ -3,7 +3,7 @@
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython motion.py DATASET OUTPUT-FOLDER [WIDTH HEIGHT [SAMPLES]] [--animation [FRAMES]]
 
 DATASET: a folder by Data/injection.py, or can-vtu.hdf of VTK's test data (arrays VEL and ACCL). Of the injection there are pictures of
-the whole chamber, in local shading and with ambient occlusion, and of a part of it from near by. The looks are arrows; spheres that
+the whole chamber and of a part of it from near by. The looks are arrows; spheres that
 move by their velocities only, which leaves even streaks; with the data's accelerations; and braked: with accelerations opposite to the
 velocities that would stop each sphere by the time the shutter closes, for streaks that thicken where the sphere goes. Of the can also: its
 surface, moved by both.
@@ -21,7 +21,6 @@ import paraview.simple as pv
 import simulation
 
 LOOKS = ("arrows", "velocity", "acceleration", "braked")
-SHADING = {"local": "Local", "occlusion": "Ambient Occlusion"}
 #: Camera, focal point, up.
 WHOLE = ((1.75, 4.9, -0.8), (1.75, 0.0, 0.05), (0.0, 0.0, -1.0))
 NEAR = ((1.75, 2.3, -0.3), (1.75, 0.0, 0.0), (0.0, 0.0, -1.0))
@@ -96,7 +95,7 @@ def colour_by_speed(shown, velocity, limits):
 
 
 def pictures(data, folder, size, samples):
-    """All looks from near by; of the whole injection arrows and blur, in local shading and with ambient occlusion."""
+    """All looks from near by; of the whole injection arrows and blur."""
     if os.path.isfile(data):
         for look in LOOKS[:3] + ("surface",):
             view = simulation.new_view(size)
@@ -110,10 +109,6 @@ def pictures(data, folder, size, samples):
         shown.SamplesPerPixel = samples
         if look in ("arrows", "acceleration"):
             simulation.write(view, folder, "injection-%s" % look, size)
-            shown.ShadingMode, shown.AmbientOcclusionRadius, shown.Denoising = "Ambient Occlusion", 0.5, "Always"
-            shown.SamplesPerPixel = max(samples // 2, 1)
-            simulation.write(view, folder, "injection-%s-occlusion" % look, size)
-            shown.ShadingMode, shown.SamplesPerPixel = "Local", samples
         simulation.look(view, *NEAR)
         simulation.write(view, folder, "injection-%s-near" % look, [5 * pixels // 6 for pixels in size])
         pv.Delete(view)

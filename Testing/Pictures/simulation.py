@@ -1,7 +1,4 @@
-"""The main job: simulation data to pictures of ray-traced arrows, spheres and ellipsoids, path-traced light and motion.
-
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython simulation.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT]
-"""
+"""Views, colors and scenes of the simulations that the scripts of the gallery share."""
 import os
 import sys
 
@@ -93,20 +90,6 @@ def arrows(impact, view):
     look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 
 
-def path_traced(impact, view):
-    """The same grains in the light of path tracing."""
-    spheres(impact, view)
-    shown = view.Representations[0]
-    shown.ShadingMode, shown.SamplesPerPixel = "Path Tracing", 32
-
-
-def streaks(impact, view):
-    """The same grains while the shutter is open."""
-    spheres(impact, view)
-    shown = view.Representations[0]
-    shown.MotionBlur, shown.SamplesPerPixel = 1, 32
-
-
 def ellipsoids(nematic, view):
     """The molecules as ellipsoids of their shape and orientation."""
     shown = show(nematic, view, "Sphere", Orient=1, SelectOrientationVectors="quaternion",
@@ -144,27 +127,3 @@ def save(view, folder, name, size):
     """Writes the view's picture and deletes the view."""
     write(view, folder, name, size)
     pv.Delete(view)
-
-
-def main():
-    """Makes the pictures."""
-    data, folder = begin()
-    impact, nematic = simulations(data)
-    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
-    wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
-    for name, source, draw, time in (("spheres", impact, spheres, 0.8), ("arrows", impact, arrows, 0.8),
-                                     ("ellipsoids", nematic, ellipsoids, nematic.TimestepValues[-1]),
-                                     ("light", impact, path_traced, 0.8), ("motion", impact, streaks, 0.8)):
-        if wanted and name not in wanted:
-            continue
-        view = new_view(size)
-        view.ViewTime = time
-        pv.UpdatePipeline(time, source)
-        draw(source, view)
-        pv.Render(view)
-        save(view, folder, name, size)
-    pv.Disconnect()
-
-
-if __name__ == "__main__":
-    main()

@@ -1,11 +1,9 @@
-"""Tensor fields, a packing of superquadrics, and vectors: stress of the simulation, diffusion along a helix, a flow, uncertainty, magnitudes over many powers of ten
-(shapes.py has the point load).
+"""Tensor fields and vectors: stress of the simulation, a flow, uncertainty, magnitudes over many powers of ten.
 
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython tensors.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT]
 With RTGLYPHS_SHARED_DATA, a folder, also pictures of tensors.vtk and dt-helix.nhdr in it (../Kernels/TensorTest.cxx names their sources).
 """
 import os
-import subprocess
 import sys
 
 import numpy
@@ -22,13 +20,6 @@ def arrays_of(reader):
     data = adapter.VTKObject
     points = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
     return points, {name: numpy.array(adapter.PointData[name]) for name in adapter.PointData.keys()}
-
-
-def written_by(script, data, folder):
-    """What a script of the data folder writes, opened."""
-    path = os.path.join(folder, script.replace(".py", ".vtk"))
-    subprocess.run([os.path.join(data, script), path], check=True)
-    return pv.OpenDataFile(path)
 
 
 def norms(six):
@@ -62,26 +53,6 @@ def fibres(view, points, tensors, share, layout, spacing):
     largest = numpy.quantile(norms(tensors[inside]), 0.9)
     show(source(points[inside], d=tensors[inside]), view, "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout=layout,
          GlyphDirectionColoring="Axes", ScaleFactor=1.3 * spacing / largest)
-
-
-def helix(view, data, folder):
-    """Fibers along a helix."""
-    points, arrays = arrays_of(written_by("helix.py", data, folder))
-    fibres(view, points, arrays["diffusion"], arrays["bundle"], "xx yy zz xy yz xz", 2.0 / 23)
-    look(view, (2.6, -3.0, 1.9), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
-
-
-def packing(view, data, folder):
-    """Superquadrics of random exponents, by the logarithm of the smallest of them."""
-    points, arrays = arrays_of(written_by("packing.py", data, folder))
-    least = numpy.log10(arrays["exponents"].min(axis=1))
-    shown = show(source(points, least=least, **arrays), view, "Superquadric", GlyphExponentArray="exponents", SelectScaleArray="lengths", ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1,
-                 SelectOrientationVectors="quaternion", OrientationMode="Quaternion")
-    pv.ColorBy(shown, ("POINTS", "least"), True)
-    table = pv.GetColorTransferFunction("least", shown, separate=True)
-    table.ApplyPreset(preset_name("Viridis"), True)
-    table.RescaleTransferFunction(numpy.log10(0.4), numpy.log10(8.0))
-    look(view, (2.3, -1.6, 1.7), (0.5, 0.5, 0.5), (0.0, 0.0, 1.0))
 
 
 def flow(view, _, __):
@@ -174,7 +145,7 @@ def main():
     data, folder = begin()
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
-    pictures = {"flow": flow, "packing": packing, "grain_stress": grain_stress, "helix": helix, "split_vectors": split_vectors,
+    pictures = {"flow": flow, "grain_stress": grain_stress, "split_vectors": split_vectors,
                 "uncertain_vectors": uncertain_vectors, "confidence_ellipsoids": confidence_ellipsoids}
     shared = os.environ.get("RTGLYPHS_SHARED_DATA", "")
     for name, file in (("tensors-vtk", "tensors.vtk"), ("dt-helix", "dt-helix.nhdr")):

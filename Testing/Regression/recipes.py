@@ -1,6 +1,6 @@
 """The recipes of Data/RECIPES.md, each as its script in Data/recipes runs it: the page says what the scripts do, nothing is
 said by ParaView, every particle is shown, and the picture is that of the code's own formulas: points of the surfaces that
-these describe lie where something is seen, and nothing is seen elsewhere.
+these describe lie where something is seen, and nothing is seen elsewhere. Figure() takes the same settings.
 
 Usage: RTGLYPHS_DATA=FOLDER pvpython recipes.py [NAME...]
 """
@@ -8,6 +8,7 @@ import os
 import re
 import runpy
 import sys
+import types
 
 import numpy
 import paraview.simple as pv
@@ -135,6 +136,25 @@ def grown(mask, steps):
     return mask
 
 
+def figure(name, part, case, checks):
+    """raytracedglyphs.Figure() makes a picture with a recipe's settings, in five lines with those that open the data."""
+    import raytracedglyphs  # comes with the plugin
+    opening = [line for line in part.split("view = ")[0].splitlines() if line.strip()]
+    checks.within(name + ": lines to a figure", len(opening) + (2 if "lower" in case else 1), 1, 5)
+    asked = types.SimpleNamespace()
+    exec("\n".join(re.findall(r"^ *((?:shown|each)\..* = .*)", part, re.MULTILINE)), {"shown": asked, "each": asked})
+    wanted = vars(asked)
+    kind = wanted.pop("GlyphShape", None) or wanted.pop("GlyphType")
+    path = session.output("figure-%s.png" % name)
+    shown = raytracedglyphs.Figure(case["shown"].Input, kind, path, size=(80, 60), quality="Fast", **wanted)
+    checks.equal(name + ": GlyphType of the figure", shown.GlyphType.GetXMLName(), case["shown"].GlyphType.GetXMLName())
+    for key in [*wanted, "GlyphShape"]:
+        checks.equal("%s: %s of the figure" % (name, key), str(shown.GetPropertyValue(key)), str(case["shown"].GetPropertyValue(key)))
+    picture = session.read_image(path)
+    checks.true(name + ": the figure is empty", (picture != picture[0, 0]).any())
+    pv.Delete(pv.GetActiveView())
+
+
 def recipe(name, page, checks):
     """Runs a script and looks at what it shows."""
     path = os.path.join(os.environ["RTGLYPHS_DATA"], "recipes", name + ".py")
@@ -168,6 +188,7 @@ def recipe(name, page, checks):
         checks.within(name + ": fraction of the picture that is no surface", unexplained, 0.0, UNEXPLAINED)
     if "lower" in case:
         see_through(case, picture, checks)
+    figure(name, parts[0], case, checks)
     pv.Delete(view)
     for source in list(pv.GetSources().values()):
         pv.Delete(source)

@@ -30,7 +30,5 @@ if [ "$needs_display" = yes ]; then
   "$display" start "$build/display"
   on_display=("$display" run "$build/display")
 fi
-for script in cover simulation; do
-  RTGLYPHS_PICTURES="arrows ellipsoids" RTGLYPHS_PLUGIN=$plugin "${on_display[@]}" "$pvpython" "$clone/Testing/Pictures/$script.py" "$clone/Data" "$build/pictures"
-done
+RTGLYPHS_PLUGIN=$plugin "${on_display[@]}" "$pvpython" "$clone/Testing/Pictures/cover.py" "$clone/Data" "$build/pictures" 1120 700
 echo "The pictures are in $build/pictures"
