@@ -135,7 +135,9 @@ def room(checks, view, shown):
     bar.Title, shown.GlyphDirectionColoring = "number", "Sphere"
     for corner, place, factor in (("Lower Left", "Lower Left Corner", 1), ("Upper Right", "Upper Right Corner", 1), ("Lower Right", "Lower Right Corner", 2),
                                   ("Upper Left", "Any Location", 1), ("Lower Left", "Lower Center", 1)):
-        bar.WindowLocation, bar.Position = place, (0.03, 0.5)
+        bar.WindowLocation = place
+        if place == "Any Location":
+            bar.Position = (0.03, 0.5)
         switches = [(shown, "GlyphLegend", "None", corner), (shown, "GlyphDirectionKey", "None", corner), (bar, "Visibility", 0, 1), (view, "OrientationAxesVisibility", 0, 1)]
 
         def picture(*on):
