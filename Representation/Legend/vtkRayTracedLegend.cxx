@@ -212,7 +212,8 @@ glm::dvec2 vtkRayTracedLegend::FindPlace(vtkRenderer* renderer, const Box& wante
   }
   const auto isFree = [&](const glm::dvec2& place)
   {
-    return glm::all(glm::greaterThanEqual(place, glm::dvec2(0.0))) && glm::all(glm::lessThanEqual(place + size, view)) &&
+    return glm::all(glm::greaterThanEqual(place, glm::dvec2(0.0))) &&
+      glm::all(glm::lessThanEqual(place + size, view)) &&
       std::none_of(obstacles.begin(), obstacles.end(),
         [&](const Box& box)
         { return glm::all(glm::lessThan(place, box[1])) && glm::all(glm::lessThan(box[0], place + size)); });

@@ -101,8 +101,8 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   };
   const auto whereShape = [](const std::string& values, const std::string& more = "")
   {
-    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='" + values +
-      "' " + more + "/>";
+    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='" +
+      values + "' " + more + "/>";
   };
   const std::string hints = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Interpolation", "3") + "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
@@ -135,11 +135,11 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     }
   };
   // What ParaView has for points, lines, textures and back faces has no effect on what is ray traced.
-  decorate({ "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray",
-             "SelectNormalArray", "SelectTangentArray", "Texture", "RepeatTextures", "InterpolateTextures", "SeamlessU",
-             "SeamlessV", "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture",
-             "FlipTextures", "EdgeColor", "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor",
-             "BackfaceOpacity" },
+  decorate(
+    { "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray", "SelectNormalArray",
+      "SelectTangentArray", "Texture", "RepeatTextures", "InterpolateTextures", "SeamlessU", "SeamlessV",
+      "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture", "FlipTextures", "EdgeColor",
+      "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" },
     "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" +
       where("Representation", "Ray Traced Glyphs", "inverse='1'") +
       where("Representation", "Ray Traced Surface", "inverse='1'") +

@@ -21,7 +21,6 @@
 #include <QStatusBar>
 #include <QString>
 #include <QTimer>
-#include <QToolBar>
 #include <QWidget>
 #include <QWindow>
 
@@ -294,18 +293,6 @@ extern "C"
     }
     std::strncpy(text, said.toUtf8().constData(), size - 1);
     text[size - 1] = 0;
-  }
-
-  // How many tool bars stand in rows below that one; -1: there is none.
-  Q_DECL_EXPORT int probe_below(const char* name)
-  {
-    const QWidget* widget = Find(name);
-    int below = widget ? 0 : -1;
-    for (const QToolBar* bar : widget ? widget->window()->findChildren<QToolBar*>() : QList<QToolBar*>())
-    {
-      below += bar->isVisible() && bar->parentWidget() == widget->parentWidget() && bar->y() > widget->y();
-    }
-    return below;
   }
 
   // How far a progress bar is; -1: there is none.

@@ -105,10 +105,6 @@ class Window:
         """What a label, a button, a line of text, a progress bar or a status bar says."""
         return self._words(self.probe.probe_text, name)
 
-    def below(self, name):
-        """The number of tool bars in rows below one."""
-        return self.probe.probe_below(name.encode())
-
     def value(self, name):
         """How far a progress bar is."""
         return self.probe.probe_value(name.encode())
