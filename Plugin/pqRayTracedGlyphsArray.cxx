@@ -2,7 +2,9 @@
 
 #include "pqCoreUtilities.h"
 #include "vtkCommand.h"
+#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMStringListDomain.h"
 
@@ -20,6 +22,14 @@ const char* const unscaled = "No Data Scaling Off"; // ScaleMode's
 bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
 {
   return property == display->GetProperty("SelectScaleArray");
+}
+
+// Whose vectors are what they show, whatever Orient is.
+bool IsVector(vtkSMProxy* display)
+{
+  const int shape = vtkSMPropertyHelper(display, "GlyphShape").GetAsInt();
+  return shape == vtkRayTracedGlyphRepresentation::SPLIT_VECTOR ||
+    shape == vtkRayTracedGlyphRepresentation::UNCERTAIN_VECTOR;
 }
 }
 
@@ -48,6 +58,7 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
   else
   {
     this->addPropertyLink(this, "on", SIGNAL(chosen()), display->GetProperty("Orient"));
+    pqCoreUtilities::connect(display->GetProperty("GlyphShape"), vtkCommand::ModifiedEvent, this, SLOT(list()));
   }
   this->list();
 }
@@ -99,7 +110,8 @@ void pqRayTracedGlyphsArray::list()
 // An array that the data lack is listed as long as it is chosen.
 void pqRayTracedGlyphsArray::Show()
 {
-  const bool used = this->On && this->Mode != unscaled && !this->Array.isEmpty() && this->Array != "None";
+  const bool on = this->On || (!IsSize(this->proxy(), this->property()) && IsVector(this->proxy()));
+  const bool used = on && this->Mode != unscaled && !this->Array.isEmpty() && this->Array != "None";
   int entry = used ? this->Arrays->findText(this->Array) : 0;
   if (entry < 0)
   {
@@ -110,14 +122,14 @@ void pqRayTracedGlyphsArray::Show()
 }
 
 //----------------------------------------------------------------------------
-// Without an array sizes are one, ScaleFactor's, and directions are off.
+// Without an array sizes are one, ScaleFactor's, and directions are off, or there are no vectors.
 void pqRayTracedGlyphsArray::choose(int entry)
 {
   const bool used = entry > 0, size = IsSize(this->proxy(), this->property());
   this->On = used || size;
-  if (used)
+  if (used || (!size && IsVector(this->proxy())))
   {
-    this->Array = this->Arrays->itemText(entry);
+    this->Array = used ? this->Arrays->itemText(entry) : "None";
   }
   if (size && (!used || this->Mode == unscaled))
   {

@@ -190,9 +190,12 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
     const bool refined = std::any_of(
       this->Waiting.begin(), this->Waiting.end(), [&part](const Part& waiting) { return waiting.Proxy == part.Proxy; });
     image.Refined |= refined;
-    if (!image.Display || scene->GetProgress() < image.Progress)
+    // That of an image that was stopped is whole.
+    const double samples = scene->GetSamples(), wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
+    const double progress = refined ? scene->GetProgress() : std::min(1.0, samples / wanted);
+    if (!image.Display || progress < image.Progress)
     {
-      image.Progress = scene->GetProgress();
+      image.Progress = progress;
       image.Words = pqRayTracedGlyphsWords::Of(scene, refined);
       image.Scene = scene;
     }

@@ -17,6 +17,7 @@
 #include <QStatusBar>
 #include <QStringList>
 #include <QStyle>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -88,6 +89,17 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
     QObject::connect(refinement, &pqRayTracedGlyphsRefinement::looked, this, &pqRayTracedGlyphsToolBar::follow);
   }
   this->follow(pqActiveObjects::instance().activeView());
+
+  // ParaView's last row has room, but is not there yet when plugins are loaded at the start. What the user has arranged
+  // is restored after that.
+  QTimer::singleShot(0, this,
+    [this]()
+    {
+      if (auto* window = qobject_cast<QMainWindow*>(this->window()))
+      {
+        window->addToolBar(this);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------
@@ -169,16 +181,18 @@ void pqRayTracedGlyphsToolBar::TellTime(const pqRayTracedGlyphsRefinement::Image
   }
   if (window && seconds > longTime)
   {
-    QStringList times;
-    for (const QAction* one : this->Qualities)
+    // In the order of importance: narrow windows cut the end off.
+    QStringList times(tr("%1 takes about %2").arg(this->Untold->text(), pqRayTracedGlyphsWords::ForTime(seconds)));
+    for (int less = this->Untold->data().toInt() - 1; less > 0; --less)
     {
+      const QAction* one = this->Qualities[less - 1];
       const double its = SecondsOf(image, one);
-      if (its >= 0.0 && one->data().toInt() <= this->Untold->data().toInt())
+      if (its >= 0.0)
       {
-        times += tr("%1 takes about %2").arg(one->text(), pqRayTracedGlyphsWords::ForTime(its));
+        times += tr("%1 %2").arg(one->text(), pqRayTracedGlyphsWords::ForTime(its));
       }
     }
-    window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps the samples so far."), 10000);
+    window->statusBar()->showMessage(times.join(", ") + tr(". Stop keeps the samples so far."), 10000);
   }
   this->Untold = nullptr;
 }

@@ -14,7 +14,10 @@ QString pqRayTracedGlyphsWords::Of(vtkSMRayTracedViewProxy* scene, bool refined)
   const int wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
   const int samples = std::min(scene->GetSamples(), wanted);
   const bool compiling = refined && samples == 0 && scene->GetStep().rfind("Compiling", 0) == 0;
-  const QString words = compiling ? QObject::tr("Compiling") : QObject::tr("%1 of %2").arg(samples).arg(wanted);
+  const bool stopped = !refined && samples > 0 && samples < wanted; // without any sample it may have failed
+  const QString words = compiling
+    ? QObject::tr("Compiling")
+    : (stopped ? QObject::tr("Stopped at %1 of %2") : QObject::tr("%1 of %2")).arg(samples).arg(wanted);
   const double seconds = !refined ? 0.0 : compiling ? scene->GetSecondsOfStep() : scene->GetSecondsLeft();
   return seconds < 2.0 ? words
     : compiling        ? QObject::tr("%1, %2 s").arg(words).arg(static_cast<int>(seconds))

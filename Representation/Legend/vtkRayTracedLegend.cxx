@@ -1,14 +1,19 @@
 #include "vtkRayTracedLegend.h"
 
 #include "vtkActor2D.h"
+#include "vtkBorderRepresentation.h"
 #include "vtkBoundingBox.h"
+#include "vtkContext2DScalarBarActor.h"
+#include "vtkCoordinate.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkPropCollection.h"
+#include "vtkRect.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkScalarBarRepresentation.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
@@ -16,38 +21,63 @@
 #include "vtkWindow.h"
 
 #include <algorithm>
-#include <glm/glm.hpp>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <tuple>
 
 namespace
 {
-// Extent of ParaView's orientation axes up from the view's lower edge between two of its columns; all in parts of
-// the view. 0: none are there.
-double TopOfAxes(vtkRenderer* renderer, double left, double right)
+template <typename F>
+void ForEachVisibleProp(vtkRenderer* renderer, F&& visit)
 {
-  double top = 0.0;
-  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
+  vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator at;
-  renderers->InitTraversal(at);
-  const double* whole = renderer->GetViewport();
-  while (vtkRenderer* other = renderers->GetNextRenderer(at))
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
   {
-    bool hasAxes = false;
-    vtkPropCollection* props = other->GetViewProps();
-    vtkCollectionSimpleIterator prop;
-    props->InitTraversal(prop);
-    while (vtkProp* one = props->GetNextProp(prop))
+    if (prop->GetVisibility())
     {
-      hasAxes = hasAxes || (one->IsA("vtkPVAxesActor") && one->GetVisibility());
-    }
-    const double* box = other->GetViewport();
-    const auto across = [&](int side) { return (box[side] - whole[0]) / (whole[2] - whole[0]); };
-    const auto up = [&](int side) { return (box[side] - whole[1]) / (whole[3] - whole[1]); };
-    if (hasAxes && across(0) < right && across(2) > left && up(1) < 0.5)
-    {
-      top = std::max(top, up(3));
+      visit(prop);
     }
   }
-  return top;
+}
+
+// Where vtkPVScalarBarRepresentation will draw it.
+vtkRayTracedLegend::Box BoxOf(vtkScalarBarRepresentation* bar, vtkContext2DScalarBarActor* actor, vtkRenderer* renderer)
+{
+  constexpr double margin = 4.0;
+  actor->RenderOpaqueGeometry(renderer); // tells it the viewport
+  const vtkRectf drawn = actor->GetBoundingRect();
+  const glm::dvec2 view(renderer->GetSize()[0], renderer->GetSize()[1]), size(drawn.GetWidth(), drawn.GetHeight());
+  const glm::dvec2 middle = 0.5 * (view - size), high = view - 1.0 - size - margin;
+  glm::dvec2 lower(margin);
+  switch (bar->GetWindowLocation())
+  {
+    case vtkBorderRepresentation::AnyLocation:
+    {
+      const int* origin = bar->GetPositionCoordinate()->GetComputedViewportValue(renderer);
+      lower = glm::dvec2(origin[0] + drawn.GetX(), origin[1] + drawn.GetY());
+      break;
+    }
+    case vtkBorderRepresentation::LowerRightCorner:
+      lower.x = high.x;
+      break;
+    case vtkBorderRepresentation::LowerCenter:
+      lower.x = middle.x;
+      break;
+    case vtkBorderRepresentation::UpperLeftCorner:
+      lower.y = high.y;
+      break;
+    case vtkBorderRepresentation::UpperRightCorner:
+      lower = high;
+      break;
+    case vtkBorderRepresentation::UpperCenter:
+      lower = { middle.x, high.y };
+      break;
+    default:
+      break;
+  }
+  return { lower, lower + size };
 }
 }
 
@@ -110,14 +140,91 @@ void vtkRayTracedLegend::Arrange(vtkViewport* viewport)
   const double margin = 0.02 * std::min(view[0], view[1]), gap = 0.5 * margin;
   const bool right = this->Corner == LOWER_RIGHT || this->Corner == UPPER_RIGHT;
   const bool top = this->Corner == UPPER_LEFT || this->Corner == UPPER_RIGHT;
-  const double textX = right ? view[0] - margin - words.x : margin;
-  const double glyphX = right ? view[0] - margin - glyph.x : margin;
-  const double width = std::max(words.x, glyph.x), left = std::min(textX, glyphX);
-  const double bottom = top
-    ? view[1] - margin - words.y - gap - glyph.y
-    : margin + TopOfAxes(vtkRenderer::SafeDownCast(viewport), left / view[0], (left + width) / view[0]) * view[1];
-  this->Text->SetPosition(textX, bottom);
-  this->Actor->SetPosition(glyphX - lower.x, bottom + words.y + gap - lower.y);
+  const glm::dvec2 size(std::max(words.x, glyph.x), words.y + gap + glyph.y);
+  const glm::dvec2 corner(right ? view[0] - margin - size.x : margin, top ? view[1] - margin - size.y : margin);
+  const glm::dvec2 place = this->FindPlace(vtkRenderer::SafeDownCast(viewport), { corner, corner + size }, margin);
+  this->Covered = { place, place + size };
+  this->Text->SetPosition(place.x + (right ? size.x - words.x : 0.0), place.y);
+  this->Actor->SetPosition(place.x + (right ? size.x - glyph.x : 0.0) - lower.x, place.y + words.y + gap - lower.y);
+}
+
+//----------------------------------------------------------------------------
+// Orientation axes and the like have renderers of their own, which cover a part of the view.
+std::vector<vtkRayTracedLegend::Box> vtkRayTracedLegend::Obstacles(vtkRenderer* renderer) const
+{
+  std::vector<Box> boxes;
+  const glm::dvec2 view(renderer->GetSize()[0], renderer->GetSize()[1]);
+  const glm::dvec4 whole = glm::make_vec4(renderer->GetViewport());
+  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* other = renderers->GetNextRenderer(at))
+  {
+    const glm::dvec4 part = glm::make_vec4(other->GetViewport());
+    bool shows = false;
+    ForEachVisibleProp(other, [&](vtkProp*) { shows = true; });
+    if (shows && part != whole)
+    {
+      const glm::dvec2 origin(whole), scale = view / (glm::dvec2(whole.z, whole.w) - origin);
+      boxes.push_back({ scale * (glm::dvec2(part) - origin), scale * (glm::dvec2(part.z, part.w) - origin) });
+    }
+  }
+  // Legends are arranged in this order.
+  bool before = true;
+  ForEachVisibleProp(renderer,
+    [&](vtkProp* prop)
+    {
+      before = before && prop != this;
+      auto* legend = before ? dynamic_cast<vtkRayTracedLegend*>(prop) : nullptr;
+      auto* bar = vtkScalarBarRepresentation::SafeDownCast(prop);
+      auto* drawn = bar ? vtkContext2DScalarBarActor::SafeDownCast(bar->GetScalarBarActor()) : nullptr;
+      if (legend && legend->Shows)
+      {
+        boxes.push_back(legend->Covered);
+      }
+      else if (drawn)
+      {
+        boxes.push_back(BoxOf(bar, drawn, renderer));
+      }
+    });
+  return boxes;
+}
+
+//----------------------------------------------------------------------------
+// The nearest place in the view that covers nothing, first in the same column; without any the wanted one.
+glm::dvec2 vtkRayTracedLegend::FindPlace(vtkRenderer* renderer, const Box& wanted, double margin) const
+{
+  const std::vector<Box> obstacles = this->Obstacles(renderer);
+  const glm::dvec2 view(renderer->GetSize()[0], renderer->GetSize()[1]), size = wanted[1] - wanted[0];
+  std::vector<glm::dvec2> places{ wanted[0] };
+  for (const Box& across : obstacles)
+  {
+    for (const Box& along : obstacles)
+    {
+      for (const double x : { wanted[0].x, across[1].x + margin, across[0].x - margin - size.x })
+      {
+        for (const double y : { wanted[0].y, along[1].y + margin, along[0].y - margin - size.y })
+        {
+          places.emplace_back(std::round(x), std::round(y));
+        }
+      }
+    }
+  }
+  const auto isFree = [&](const glm::dvec2& place)
+  {
+    return glm::all(glm::greaterThanEqual(place, glm::dvec2(0.0))) &&
+      glm::all(glm::lessThanEqual(place + size, view)) &&
+      std::none_of(obstacles.begin(), obstacles.end(),
+        [&](const Box& box)
+        { return glm::all(glm::lessThan(place, box[1])) && glm::all(glm::lessThan(box[0], place + size)); });
+  };
+  std::erase_if(places, [&](const glm::dvec2& place) { return !isFree(place); });
+  const auto isNearer = [&](const glm::dvec2& a, const glm::dvec2& b)
+  {
+    const glm::dvec2 toA = glm::abs(a - wanted[0]), toB = glm::abs(b - wanted[0]);
+    return std::tie(toA.x, toA.y) < std::tie(toB.x, toB.y);
+  };
+  return places.empty() ? wanted[0] : *std::min_element(places.begin(), places.end(), isNearer);
 }
 
 //----------------------------------------------------------------------------

@@ -2,7 +2,7 @@
  * @class   vtkRayTracedLegend
  * @brief   a drawing, and words below it, in a corner of a view
  *
- * It stands above ParaView's orientation axes where these are in its corner. Subclasses draw.
+ * It stands clear of color bars, orientation axes and other legends that are in its corner. Subclasses draw.
  */
 #ifndef vtkRayTracedLegend_h
 #define vtkRayTracedLegend_h
@@ -11,18 +11,23 @@
 #include "vtkProp.h"
 
 #include <array>
+#include <glm/glm.hpp>
+#include <vector>
 
 class vtkActor2D;
 class vtkBoundingBox;
 class vtkPVRenderView;
 class vtkPolyData;
 class vtkPolyDataMapper2D;
+class vtkRenderer;
 class vtkTextActor;
 
 class vtkRayTracedLegend : public vtkProp
 {
 public:
   vtkTypeMacro(vtkRayTracedLegend, vtkProp);
+
+  using Box = std::array<glm::dvec2, 2>; // lower left and upper right, in pixels of the view
 
   enum Corners
   {
@@ -61,10 +66,13 @@ protected:
 
 private:
   void Arrange(vtkViewport* viewport);
+  std::vector<Box> Obstacles(vtkRenderer* renderer) const;
+  glm::dvec2 FindPlace(vtkRenderer* renderer, const Box& wanted, double margin) const;
 
   vtkNew<vtkPolyDataMapper2D> Mapper;
   vtkNew<vtkTextActor> Text;
   bool Shows = false;
+  Box Covered{}; // while it shows
 };
 
 #endif

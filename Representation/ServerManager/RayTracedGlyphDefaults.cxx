@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -103,6 +104,11 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='" + property + "' value='" +
       value + "' " + more + "/>";
   };
+  const auto whereShape = [](const std::string& values, const std::string& more = "")
+  {
+    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='" +
+      values + "' " + more + "/>";
+  };
   const std::string hints = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Interpolation", "3") + "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
     where("Representation", "Ray Traced Glyphs") + where("Representation", "Ray Traced Surface") +
@@ -113,38 +119,45 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   {
     display->GetProperty(name)->SetHints(element);
   }
+  const auto decorate = [display](std::initializer_list<const char*> names, const std::string& decorator)
+  {
+    const vtkSmartPointer<vtkPVXMLElement> element = vtkPVXMLParser::ParseXML(decorator.c_str());
+    for (const char* name : names)
+    {
+      if (vtkSMProperty* property = display->GetProperty(name))
+      {
+        // Those of ParaView are its definition's, which all displays share.
+        vtkNew<vtkPVXMLElement> both;
+        both->SetName("Hints");
+        vtkPVXMLElement* own = property->GetHints();
+        for (unsigned int i = 0; own && i < own->GetNumberOfNestedElements(); ++i)
+        {
+          both->AddNestedElement(own->GetNestedElement(i), /*setParent=*/0);
+        }
+        both->AddNestedElement(element, /*setParent=*/0);
+        property->SetHints(both);
+      }
+    }
+  };
   // What ParaView has for points, lines, textures and back faces has no effect on what is ray traced.
-  const std::string others = "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" +
-    where("Representation", "Ray Traced Glyphs", "inverse='1'") +
-    where("Representation", "Ray Traced Surface", "inverse='1'") +
-    where("Representation", "Ray Traced Tubes", "inverse='1'") + "</Expression></PropertyWidgetDecorator>";
-  const vtkSmartPointer<vtkPVXMLElement> decorator = vtkPVXMLParser::ParseXML(others.c_str());
-  for (const char* name :
+  decorate(
     { "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray", "SelectNormalArray",
       "SelectTangentArray", "Texture", "RepeatTextures", "InterpolateTextures", "SeamlessU", "SeamlessV",
       "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture", "FlipTextures", "EdgeColor",
-      "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" })
-  {
-    if (vtkSMProperty* property = display->GetProperty(name))
-    {
-      // Those of ParaView are its definition's, which all displays share.
-      vtkNew<vtkPVXMLElement> both;
-      both->SetName("Hints");
-      vtkPVXMLElement* own = property->GetHints();
-      for (unsigned int i = 0; own && i < own->GetNumberOfNestedElements(); ++i)
-      {
-        both->AddNestedElement(own->GetNestedElement(i), /*setParent=*/0);
-      }
-      both->AddNestedElement(decorator, /*setParent=*/0);
-      property->SetHints(both);
-    }
-  }
+      "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" },
+    "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" +
+      where("Representation", "Ray Traced Glyphs", "inverse='1'") +
+      where("Representation", "Ray Traced Surface", "inverse='1'") +
+      where("Representation", "Ray Traced Tubes", "inverse='1'") + "</Expression></PropertyWidgetDecorator>");
+  // Split and uncertain vectors have the lengths and directions of SelectOrientationVectors.
+  decorate({ "ScaleMode", "SelectScaleArray", "Orient", "OrientationMode" },
+    "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
+      where("Representation", "Ray Traced Glyphs", "inverse='1'") + whereShape("16 17", "inverse='1'") +
+      "</Expression></PropertyWidgetDecorator>");
   // ParaView's Coloring says nothing true while tensors are colored by themselves.
   const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Representation", "Ray Traced Glyphs", "inverse='1'") + where("GlyphTensorColoring", "0") +
-    "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='0 5 10 11 16 "
-    "17'/>" +
-    "</Expression></PropertyWidgetDecorator></Hints>";
+    whereShape("0 5 10 11 16 17") + "</Expression></PropertyWidgetDecorator></Hints>";
   const vtkSmartPointer<vtkPVXMLElement> coloring = vtkPVXMLParser::ParseXML(colored.c_str());
   for (size_t i = 0; i < display->GetNumberOfPropertyGroups(); ++i)
   {

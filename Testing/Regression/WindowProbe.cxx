@@ -238,12 +238,12 @@ extern "C"
     timer->start(200);
   }
 
-  // 1: the entry of a combo box is on its way to be chosen.
+  // 1: the entry of a combo box is on its way to be chosen, which must be enabled.
   Q_DECL_EXPORT int probe_choose(const char* name, const char* entry)
   {
     auto* box = qobject_cast<QComboBox*>(Find(name));
     const int index = box ? box->findText(entry) : -1;
-    if (index < 0)
+    if (index < 0 || !(box->model()->flags(box->model()->index(index, 0)) & Qt::ItemIsEnabled))
     {
       return 0;
     }
@@ -293,6 +293,13 @@ extern "C"
     }
     std::strncpy(text, said.toUtf8().constData(), size - 1);
     text[size - 1] = 0;
+  }
+
+  // How far a progress bar is; -1: there is none.
+  Q_DECL_EXPORT int probe_value(const char* name)
+  {
+    const auto* bar = qobject_cast<QProgressBar*>(Find(name));
+    return bar ? bar->value() : -1;
   }
 
   // The tool tip of a widget; copied as above.

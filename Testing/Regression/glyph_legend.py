@@ -129,6 +129,29 @@ def corners(checks, view, shown):
     view.OrientationAxesVisibility = 0
 
 
+def room(checks, view, shown):
+    """What stands in one corner covers nothing of the rest: sizes, directions, a color bar, orientation axes; in large pictures, too."""
+    bar = pv.GetScalarBar(pv.GetColorTransferFunction("s"), view)
+    bar.Title, shown.GlyphDirectionColoring = "number", "Sphere"
+    for corner, place, factor in (("Lower Left", "Lower Left Corner", 1), ("Upper Right", "Upper Right Corner", 1), ("Lower Right", "Lower Right Corner", 2),
+                                  ("Upper Left", "Any Location", 1), ("Lower Left", "Lower Center", 1)):
+        bar.WindowLocation = place
+        if place == "Any Location":
+            bar.Position = (0.03, 0.5)
+        switches = [(shown, "GlyphLegend", "None", corner), (shown, "GlyphDirectionKey", "None", corner), (bar, "Visibility", 0, 1), (view, "OrientationAxesVisibility", 0, 1)]
+
+        def picture(*on):
+            for switch in switches:
+                setattr(switch[0], switch[1], switch[3] if switch in on else switch[2])
+            return session.capture(view, "glyph-legend-room-%d" % len(on), ImageResolution=[factor * SIDE] * 2).astype(int)
+        plain = picture()
+        changed = [int((picture(*on) != plain).any(axis=2).sum()) for on in [switches] + [[one] for one in switches]]
+        checks.true("%s: not all shown: pixels %s" % (place, changed), min(changed) > 200)
+        checks.within("%s, %d times the window: pixels together over those of each alone" % (place, factor), changed[0] / sum(changed[1:]), 0.995, 1.005)
+    picture()
+    shown.GlyphDirectionColoring, shown.GlyphLegend = "None", "Lower Left"
+
+
 def absence(checks, view, shown):
     """Nothing of it stays where it is not wanted."""
     for switch in ("GlyphLegend", "Visibility"):
@@ -150,6 +173,7 @@ def main():
     larger_pictures(checks, view, shown)
     choice(checks, view, shown)
     corners(checks, view, shown)
+    room(checks, view, shown)
     absence(checks, view, shown)
     checks.report()
 

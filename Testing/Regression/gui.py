@@ -26,14 +26,14 @@ SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
     "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 26), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 31),
-    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30), "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 27),
-    "Split Vector": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 24),
-    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 27),
+    **{shape: (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30) for shape in ("Box", "Cylinder", "Cone")}, "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 27),
+    "Split Vector": (DIRECTION + SIZE[:1] + FIRST + BY_DIRECTION + LAST, 20),
+    "Uncertain Vector": (DIRECTION + SIZE[:1] + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 23),
     "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 25),
     "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 29), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 29),
     "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 29),
     "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 29), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27),
-    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + BY_DIRECTION + LAST, 27),
+    "Spherical Harmonics": (SIZE + FIRST + ["Harmonics Array", "Harmonics Basis"] + COLORED + BY_DIRECTION + LAST, 27),
     "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 26)}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
@@ -142,8 +142,14 @@ def panel(window, view, reader, shown):
 
 
 def colored(window, view, shown):
-    """ParaView's section Coloring is shown where it says the truth."""
+    """ParaView's section Coloring is shown where it says the truth; numbers can be chosen for shapes that show them."""
     failures = []
+    for shape, refused, taken in (("Tensor Ellipsoid", "Radius", "Trace"), ("Normal Stress", "Trace", "Radius")):
+        shown.GlyphShape, shown.GlyphTensorColoring = shape, "None"
+        pv.Render(view)
+        refuses = window.wait(lambda: window.visible("GlyphTensorColoring/ComboBox"), 5) and not window.choose("GlyphTensorColoring/ComboBox", refused)
+        if not refuses or not window.choose("GlyphTensorColoring/ComboBox", taken) or not window.wait(lambda: str(shown.GlyphTensorColoring).strip("'") == taken, 5):
+            failures.append("Color Glyphs By of %s takes %s, or not %s: %s" % (shape, refused, taken, shown.GlyphTensorColoring))
     shown.GlyphShape = "Tensor Superquadric"
     for coloring, seen in (("Trace", False), ("None", True)):
         shown.GlyphTensorColoring = coloring
@@ -154,7 +160,7 @@ def colored(window, view, shown):
 
 
 def sized(window, view, shown):
-    """Size By sets array and mode, and says None while a mode leaves the array unused."""
+    """Size By sets array and mode, and says None while a mode leaves the array unused; split vectors are those of Direction By."""
     failures = []
     session.assign_shape(shown, "Sphere")
     shown.ScaleMode = "No Data Scaling Off"
@@ -162,6 +168,11 @@ def sized(window, view, shown):
         chosen = window.wait(lambda: window.choose("SelectScaleArray/ComboBox", choice), 10)
         if not chosen or not window.wait(lambda: (str(shown.ScaleMode).strip("'"), str(shown.SelectScaleArray).strip("'")) == wanted, 5):
             failures.append("Size By %s: %s, %s" % (choice, shown.ScaleMode, shown.SelectScaleArray))
+    shown.GlyphShape = "Split Vector"
+    for choice in ("None", "velocity"):
+        chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
+        if not chosen or not window.wait(lambda: str(shown.SelectOrientationVectors).strip("'") == choice, 5):
+            failures.append("Direction By %s of Split Vector: %s" % (choice, shown.SelectOrientationVectors))
     return failures
 
 

@@ -96,7 +96,7 @@ def stopping(checks, window, bar, view, shown):
     session.look(view, (1.0, 0.5, 6.0))
     pv.Render(view)
     told = set()
-    bar.waits(checks, "refining", lambda: told.add(bar.samples()) or len(told) >= 4)
+    bar.waits(checks, "refining", lambda: told.add(bar.samples()) or (len(told) >= 4 and information(shown, "AccumulatedSamples") > 0))
     bar.waits(checks, "time left", lambda: re.fullmatch(r"\d+ of %d, about \d+ (s|min|h) left" % MANY, bar.samples()))
     window.wait(lambda: False, 0.0)
     checks.true("the window's bar says '%s', the toolbar '%s'" % (window.text("ProgressBar"), bar.samples()),
@@ -111,7 +111,8 @@ def stopping(checks, window, bar, view, shown):
     stopped = information(shown, "AccumulatedSamples")
     window.wait(lambda: False, 0.5)
     checks.equal("samples of an image that was stopped", information(shown, "AccumulatedSamples"), stopped)
-    checks.equal("said of an image that was stopped", bar.samples(), "%d of %d" % (stopped, MANY))
+    checks.equal("said of an image that was stopped", bar.samples(), "Stopped at %d of %d" % (stopped, MANY))
+    checks.within("the toolbar's bar of an image that was stopped, in thousandths", window.value(BAR + "/Samples"), 1000 * stopped // MANY - 1, 1000 * stopped // MANY + 1)
     shown.SamplesPerPixel = FEW
 
 
@@ -154,7 +155,7 @@ def long(checks, window, bar, view, source):
     bar.waits(checks, "a larger view", lambda: bar.samples() == "4 of 4")
     checks.true("tool tip of what is not measured: %s" % window.tip(BAR + "/Publication"), window.tip(BAR + "/Publication").endswith("not measured yet."))
     checks.true("Publication cannot be pressed", window.click(BAR + "/Publication"))
-    told = r"Publication takes about \d+ (s|min|h)\. Stop keeps the samples so far."
+    told = r"Publication takes about \d+ (s|min|h)(, (Balanced|Fast) \d+ (s|min|h))*\. Stop keeps the samples so far."
     checks.true("nothing shows how long it takes: %s" % window.text("statusbar"), window.wait(lambda: re.search(told, window.text("statusbar")), LIMIT))
     checks.true("tool tip of what is measured: %s" % window.tip(BAR + "/Publication"), re.search(r"about \d+ (s|min|h) here", window.tip(BAR + "/Publication")))
     say("said: %s" % window.text("statusbar"))

@@ -105,6 +105,10 @@ class Window:
         """What a label, a button, a line of text, a progress bar or a status bar says."""
         return self._words(self.probe.probe_text, name)
 
+    def value(self, name):
+        """How far a progress bar is."""
+        return self.probe.probe_value(name.encode())
+
     def tip(self, name):
         """The tool tip of a widget."""
         return self._words(self.probe.probe_tip, name)
