@@ -107,7 +107,7 @@ void AddLayer(const GlyphCrossing added, const float error, const float passing)
   for (uint i = 0u; CountsLight() && i < layerCount; ++i)
   {
     light *= layerPassing[i];
-    if (light < 0.99 * LEAST_PASSING)
+    if (light < 0.99 * MIN_TRANSMITTANCE)
     {
       layerCount = i + 1u;
       layersStopLight = true;
