@@ -420,7 +420,7 @@ void vtkRayTracedRepresentation::ReportAnew(const std::string& problem, std::str
 void vtkRayTracedRepresentation::UpdateSection()
 {
   std::string problem;
-  *this->MadeSection = this->Section.Make(this->Motion.On, problem);
+  *this->MadeSection = this->Section.Make(this->Time.Motion.On, problem);
   this->ReportAnew(problem, this->SectionProblem);
 }
 
