@@ -26,8 +26,7 @@ as_root() {
 export DEBIAN_FRONTEND=noninteractive
 
 packages=(cmake ninja-build g++ libvulkan-dev glslang-tools spirv-tools libglm-dev googletest mesa-vulkan-drivers vulkan-validationlayers)
-# The compiler's own libraries go into the programs.
-options=("-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc")
+options=()
 suite=
 case "$compiler" in
   g++-*)
@@ -46,8 +45,9 @@ case "$compiler" in
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
     chroot=$clone/build-chroot-$VERSION_CODENAME-arm64
     spirv=$chroot/usr/lib/aarch64-linux-gnu/cmake/SPIRV-Tools
-    options+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 "-DSPIRV-Tools_DIR=$spirv" "-DSPIRV-Tools-opt_DIR=$spirv-opt"
-      "-DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64-static;-L;$chroot") ;;
+    # The compiler's own libraries go into the programs.
+    options=("-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
+      "-DSPIRV-Tools_DIR=$spirv" "-DSPIRV-Tools-opt_DIR=$spirv-opt" "-DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64-static;-L;$chroot") ;;
   *) echo "build_kernels.sh: unknown compiler '$compiler'; see the head of this file" >&2; exit 2 ;;
 esac
 
