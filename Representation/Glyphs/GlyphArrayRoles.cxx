@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <unordered_set>
 
 namespace
 {
@@ -287,16 +288,11 @@ std::string Replaced(const std::string& name, std::size_t at, std::size_t length
 // Columns of a table, of which some become components of joined arrays.
 struct Columns
 {
-  Words Left, Whole; // all, and those of an integer type
+  std::unordered_set<std::string> Left, Whole; // all, and those of an integer type
   bool Plane = false;
   std::vector<Array> Joined;
 
-  bool Has(const std::string& name) const { return IsIn(this->Left, name); }
-
-  static bool IsIn(const Words& words, const std::string& name)
-  {
-    return std::find(words.begin(), words.end(), name) != words.end();
-  }
+  bool Has(const std::string& name) const { return this->Left.count(name) > 0; }
 
   // Of columns numbered from 0 or 1 all that there are. Six from 1 are those of LAMMPS, in its order of tensors.
   Words NumbersFrom(const std::string& first, std::size_t at) const
@@ -351,16 +347,17 @@ struct Columns
     const bool begins = at == 0 && !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
     const bool running = index.front() == "11" && this->Has(Replaced(first, at, length, "10"));
     const bool whole =
-      std::all_of(names.begin(), names.end(), [this](const std::string& name) { return IsIn(this->Whole, name); });
+      std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Whole.count(name) > 0; });
     const bool meant = &meaning != &unnamed ? array.Components > 2 || !speed || this->Plane
                                             : array.Components > 2 && !whole; // images, indices of a grid
     if (words.empty() || !(ends || begins) || !meant || running)
     {
       return;
     }
-    this->Left.erase(std::remove_if(this->Left.begin(), this->Left.end(),
-                       [&names](const std::string& name) { return IsIn(names, name); }),
-      this->Left.end());
+    for (const std::string& name : names)
+    {
+      this->Left.erase(name);
+    }
     this->Joined.push_back(array);
   }
 };
@@ -405,16 +402,17 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
   columns.Plane = plane;
   for (const Array& number : numbers)
   {
-    columns.Left.push_back(number.Name);
+    columns.Left.insert(number.Name);
     if (number.IsWhole)
     {
-      columns.Whole.push_back(number.Name);
+      columns.Whole.insert(number.Name);
     }
   }
   for (const Words& index : indices)
   {
-    for (const std::string& first : Words(columns.Left))
+    for (const Array& number : numbers)
     {
+      const std::string& first = number.Name;
       for (std::size_t at = first.rfind(index.front()); at != std::string::npos;
            at = at > 0 ? first.rfind(index.front(), at - 1) : std::string::npos)
       {
@@ -422,8 +420,9 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
       }
     }
   }
-  for (const std::string& first : Words(columns.Left))
+  for (const Array& number : numbers)
   {
+    const std::string& first = number.Name;
     for (std::size_t at = first.size(); at-- > 0;)
     {
       if (first[at] == '0' || (first[at] == '1' && !columns.Has(Replaced(first, at, 1, "0"))))
