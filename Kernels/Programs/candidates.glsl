@@ -24,13 +24,13 @@ uint layerRecord[LAYER_CAPACITY];   // where there are several
 uint layerTriangle[LAYER_CAPACITY]; // where there are meshes or cuts
 float layerPassing[LAYER_CAPACITY]; // transmittance, 1 where unknown
 bool layersStopLight = false;       // what lies behind the last does not show
+const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (someHave & SECTION)) != 0u;
 
 // Whether opacities decide how many of them show: where all are alike the limit does.
 bool CountsLight()
 {
   return layerLimit == LAYER_CAPACITY;
 }
-const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (someHave & SECTION)) != 0u;
 
 GlyphCrossing LayerAt(const uint at)
 {
@@ -133,8 +133,8 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   vec3 normal;
   uint triangle;
   uint most = ((convexShapes >> set.shape) & 1u) != 0u ? 2u : maximumPasses;
-  for (uint crossing = 0u;
-       crossing < most && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle); ++crossing)
+  for (uint crossing = 0u; crossing < most && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
+       ++crossing)
   {
     float error = ErrorOfT(set, ray, glyph, t);
     float opacity = 0.0;

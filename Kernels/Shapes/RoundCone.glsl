@@ -305,8 +305,8 @@ RTG_FN int EstimateInNextPiece(const real3 p, const real3 joint, const real radi
 }
 
 // What is certain of IsInner(), at a point p of a round cone whose side has that sine and cosine.
-RTG_FN int EstimateInner(
-  const Glyph glyph, const real3 p, const real sine, const real cosine, const real error, const real extent)
+RTG_FN int
+EstimateInner(const Glyph glyph, const real3 p, const real sine, const real cosine, const real error, const real extent)
 {
   real halfLength = real(0.5) * glyph.size.x;
   real first = real(0.5) * glyph.size.y;
@@ -365,8 +365,7 @@ RTG_FN int EstimateRoundCone(
   real nearest = -dot(v, ray.direction) / dot(ray.direction, ray.direction);
   real3 p = RotateToLocal(glyph, v + nearest * ray.direction);
   real3 d = RotateToLocal(glyph, ray.direction);
-  real extent =
-    halfLength + max(first, last) + max(glyph.before.w, real(0.0)) + max(glyph.after.w, real(0.0));
+  real extent = halfLength + max(first, last) + max(glyph.before.w, real(0.0)) + max(glyph.after.w, real(0.0));
   real moved = real(16.0 * RTG_ROUNDOFF) * (abs(v.x) + abs(v.y) + abs(v.z) + real(6.0) * extent);
   real doubt = real(4.0) * (extent + moved) * moved;
   if (!(doubt > real(1.0e-30) && doubt < real(1.0e30)))
