@@ -120,7 +120,7 @@ def streamlines(*_):
     flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
     lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
-    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)))
+    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)), angle=33.0)
 
 
 #: the first four are those of the README and of demo.sh
