@@ -95,7 +95,7 @@ def chains(data, folder):
     """Chains of forces between the grains that a ball has just hit."""
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
     thick = pv.Calculator(Input=pv.OpenDataFile(file), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", bar=("force", 1000.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.006, GroundShadow="Below",
+    figure(thick, "Tubes", bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.006, GroundShadow="Below",
            camera=((10.0, -26.0, 14.0), (13.8, 12.0, 3.0)), angle=27.0)
 
 
