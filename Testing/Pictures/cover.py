@@ -58,7 +58,8 @@ def vessel(data, folder):
     figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4)
     figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", 5.0, "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
            SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
-           camera=((1.5, 6.6, -2.6), (1.8, 0.0, 0.13)), up=(0.0, 0.0, -1.0), angle=21.0, **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
+           camera=((1.5, 6.6, -2.6), (1.8, 0.0, 0.13)), up=(0.0, 0.0, -1.0), angle=21.0,
+           **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
 
 
 def grains(data, time, camera, **properties):
@@ -79,12 +80,13 @@ def motion(data, _):
 
 def trails(data, _):
     """Grains that the ball has thrown up, and where they were in the steps before."""
-    grains(data, 1.5, ((9.0, -36.0, 24.0), (14.3, 14.0, 6.5)), TrailSteps=4, PointIdArray="id")
+    grains(data, 1.5, ((9.0, -36.0, 24.0), (14.3, 14.0, 9.5)), angle=36.0, TrailSteps=4, PointIdArray="id")
 
 
 def fibers(_, folder):
     """Diffusion tensors of a bundle of fibers along a helix, by principal direction, with occlusion and shadows."""
-    inside = pv.Threshold(Input=pv.OpenDataFile(made("helix.py", os.path.join(folder, "helix.vtk"), "40")), Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
+    inside = pv.Threshold(Input=pv.OpenDataFile(made("helix.py", os.path.join(folder, "helix.vtk"), "40")),
+                          Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
     figure(inside, "Tensor Superquadric", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz", GlyphDirectionColoring="Axes", ScaleFactor=0.055,
            GroundShadow="Below", camera=((2.2, -3.6, -0.6), (0.0, 0.0, 0.0)), up=(1.0, 0.0, 0.0), angle=28.0)
 
@@ -93,7 +95,7 @@ def chains(data, folder):
     """Chains of forces between the grains that a ball has just hit."""
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
     thick = pv.Calculator(Input=pv.OpenDataFile(file), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", bar=("force", 1000.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.006, GroundShadow="Below",
+    figure(thick, "Tubes", bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.006, GroundShadow="Below",
            camera=((10.0, -26.0, 14.0), (13.8, 12.0, 3.0)), angle=27.0)
 
 
@@ -108,8 +110,8 @@ def packing(_, folder):
 def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
-    fibers = pv.Threshold(Input=pv.Calculator(Input=voxels, ResultArrayName="share", Function="shares_X+shares_Y"), Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0)
-    figure(fibers, "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.15,
+    share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="shares_X+shares_Y")
+    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.15,
            GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((18.0, -6.0, 14.0), (10.3, 10.0, 1.5)), angle=28.0)
 
 
@@ -118,7 +120,7 @@ def streamlines(*_):
     flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
     lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
-    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)))
+    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)), angle=33.0)
 
 
 #: the first four are those of the README and of demo.sh
