@@ -47,7 +47,8 @@ case "$compiler" in
     spirv=$chroot/usr/lib/aarch64-linux-gnu/cmake/SPIRV-Tools
     # The compiler's own libraries go into the programs.
     options=("-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
-      "-DSPIRV-Tools_DIR=$spirv" "-DSPIRV-Tools-opt_DIR=$spirv-opt" "-DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64-static;-L;$chroot") ;;
+      "-DSPIRV-Tools_DIR=$spirv" "-DSPIRV-Tools-opt_DIR=$spirv-opt"
+      "-DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64-static;-L;$chroot;-E;VK_ICD_FILENAMES=$(cd "$chroot" && printf /%s usr/share/vulkan/icd.d/lvp_icd*)") ;;
   *) echo "build_kernels.sh: unknown compiler '$compiler'; see the head of this file" >&2; exit 2 ;;
 esac
 
