@@ -77,7 +77,23 @@ Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, c
   }
   DoubleWord lower = DoubleWord(slab.lower.x, slab.lower.y);
   DoubleWord upper = DoubleWord(slab.upper.x, slab.upper.y);
-  return Slab(height, SumOf(TwoProduct(ray.direction, normal)), lower, upper, firstPlane, firstPlane + 1);
+  DoubleWord slope = SumOf(TwoProduct(ray.direction, normal));
+  // A plane that is not there is no number to divide by a small slope: the product overflows.
+  bool openBelow = slab.lower.x == SECTION_UNBOUNDED && slope.hi != 0.0;
+  if (openBelow)
+  {
+    lower = upper;
+  }
+  Span span = Slab(height, slope, lower, upper, firstPlane, firstPlane + 1);
+  if (openBelow && slope.hi > 0.0)
+  {
+    span.sIn = Word(-RTG_NEVER);
+  }
+  if (openBelow && slope.hi < 0.0)
+  {
+    span.sOut = Word(RTG_NEVER);
+  }
+  return span;
 }
 
 // The slabs lie in the record, one by one: CPU devices load them once for all lanes.
@@ -107,7 +123,7 @@ vec2 BeginPart(
   bool ends = meets && (keeps || part == 0u);
   float start = keeps ? body.sIn.hi : body.sOut.hi;
   float end = keeps ? body.sOut.hi : body.sIn.hi;
-  bool nothingLeft = part == 1u ? keeps || !meets : keeps && !meets;
+  bool nothingLeft = part == 1u ? keeps || !meets || start >= RTG_NEVER : keeps && !meets;
   bool cut = begins && start > tMin;
   bool closed = cut && set.sectionFaces == SECTION_CAPS;
   capStart = closed ? start : -1.0;

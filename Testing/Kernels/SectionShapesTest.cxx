@@ -126,16 +126,19 @@ protected:
     return { x, y, glm::cross(x, y) };
   }
 
-  // A plane, three planes, and boxes both ways through places inside a glyph of that size.
-  std::vector<Section> Sections(const std::vector<glm::dvec3>& inside, double size)
+  // A plane, three planes, and boxes both ways through places inside a glyph of that size, from which rays go on. That
+  // of the first place meets the first plane's cap.
+  std::vector<Section> Sections(const std::vector<HardRay>& inside, double size)
   {
     std::vector<Section> sections(6);
-    const auto near = [&] { return inside[this->engine() % inside.size()]; };
+    const auto near = [&] { return inside[this->engine() % inside.size()].origin; };
     for (Section& section : sections)
     {
       section.planes = BoxPlanes(near(), this->Axes(), 0.25 * size * (glm::abs(this->Vector()) + 0.3));
     }
-    sections[0].planes = { { near(), 3.0 * this->Vector() } };
+    const HardRay& towards = inside.front();
+    const glm::dvec3 normal = 3.0 * this->Vector();
+    sections[0].planes = { { towards.origin, glm::faceforward(normal, -normal, glm::dvec3(towards.direction)) } };
     sections[1].planes = { { near(), this->Vector() }, { near(), this->Vector() }, { near(), this->Vector() } };
     sections[1].keepsInside = true;
     sections[3].keepsInside = true;
@@ -191,7 +194,8 @@ protected:
     std::vector<HardRay> aimed;
     std::vector<Tracer::Probe> probes;
     std::vector<std::vector<ReferenceCrossing>> crossings;
-    std::vector<glm::dvec3> inside;
+    std::vector<HardRay> inside; // the first: of the ray that is longest inside
+    Quad longest = 0;
     for (const HardRay& ray : hard.rays)
     {
       if (ray.glyph == i)
@@ -201,8 +205,14 @@ protected:
         crossings.push_back(reference.Crossings(ray.origin, ray.direction));
         if (crossings.back().size() > 1)
         {
-          const Quad between = 0.5 * (crossings.back()[0].t + crossings.back()[1].t);
-          inside.push_back(ray.origin + double(between) * glm::dvec3(ray.direction));
+          const Quad first = crossings.back()[0].t, second = crossings.back()[1].t, between = 0.5 * (first + second);
+          inside.push_back({ ray.origin + double(between) * glm::dvec3(ray.direction), ray.direction, i });
+          const Quad length = (second - first) * glm::length(glm::dvec3(ray.direction));
+          if (length > longest)
+          {
+            longest = length;
+            std::swap(inside.front(), inside.back());
+          }
         }
       }
     }
