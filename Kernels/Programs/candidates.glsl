@@ -122,9 +122,6 @@ float LayersEnd(const float tMax)
   return layerCount == layerLimit || layersStopLight ? min(tMax, LayerAt(layerCount - 1u).t) : tMax;
 }
 
-// Shapes (Shapes/List.h) that a ray enters and leaves once: sphere, box, cylinder, cone, capsule, round cone.
-const uint convexShapes = 0xc0fu;
-
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
 float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   float tMin, float tMax)
@@ -132,7 +129,7 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   float t;
   vec3 normal;
   uint triangle;
-  uint most = ((convexShapes >> set.shape) & 1u) != 0u ? 2u : maximumPasses;
+  uint most = ((uint(RTG_CONVEX_SHAPES) >> set.shape) & 1u) != 0u ? 2u : maximumPasses;
   for (uint crossing = 0u; crossing < most && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
        ++crossing)
   {

@@ -16,6 +16,12 @@
   ENTRY(11, RoundCone)                                                                                                 \
   ENTRY(12, Polynomial)
 
+// Bits of convex shapes, which a ray enters and leaves once.
+#define RTG_CONVEX_SHAPES 0xc0f
+
+// The shape that has an estimate of its own: RoundCone.
+#define RTG_OWN_ESTIMATE 11
+
 // A mesh, which is no analytic shape.
 #define RTG_MESH 7
 

@@ -8,7 +8,8 @@
 
 #include "List.h"
 
-// A new shape: its file, which defines Intersect<Name>, <Name>Enclosure and <Name>Bounds, and its entry in List.h.
+// A new shape: its file, which defines Intersect<Name>, <Name>Enclosure and <Name>Bounds, and its entry in List.h; if
+// it is convex, its bit there.
 #include "Arrow.glsl"
 #include "Box.glsl"
 #include "Capsule.glsl"
@@ -59,7 +60,6 @@ RTG_FN Enclosure GlyphEnclosure(const RTG_SHAPE shape, const Glyph glyph)
   return outer;
 }
 
-#define RTG_OWN_ESTIMATE 11 // RoundCone, the only shape with an estimate of its own
 // What plain arithmetic proves of IntersectGlyph's result: one of Estimate.glsl's three.
 RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(real) low, RTG_OUT(real) high)

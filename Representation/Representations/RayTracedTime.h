@@ -47,7 +47,8 @@ public:
   ///@{
   /**
    * Adds earlier places of the points to what is gathered of `input`. True: the pipeline must first be
-   * updated for the step that is missing, which AskForMissingStep() sets as the time of all inputs. GiveUp() where gathering has failed.
+   * updated for the step that is missing, which AskForMissingStep() sets as the time of all inputs. GiveUp() where
+   * gathering has failed.
    */
   bool AddTrails(vtkDataObject* gathered, vtkDataObject* input, double time, vtkInformation* from, vtkAlgorithm* source,
     const std::function<rtg::PeriodicImages()>& images);

@@ -36,8 +36,7 @@ namespace
 
 using benchmark::Crowd;
 
-constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000, curves = 400, pieces = 500,
-                      movers = 20000;
+constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000, curves = 400, pieces = 500, movers = 20000;
 
 rtg::GlyphInstances Surface(rtg::TriangleMesh mesh)
 {
