@@ -260,7 +260,7 @@ ROWS = [
     Row("ScaleFactor", 0.5, area(DISC / 4.0)),
     # A fifth of the longest side, which is 1.2.
     Row("ScaleFactorFromData", 1, reads("ScaleFactor", 0.24), scene="two", back=False),
-    Row("ScaleFactorGuess", LEFT, reads("ScaleFactorGuess", [0.24, 0.0]), scene="two", ScaleFactorFromData=1),
+    Row("ScaleFactorGuess", LEFT, reads("ScaleFactorGuess", [0.24, 0.0, 0.0]), scene="two", ScaleFactorFromData=1),
     Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.0, 1.0, 1.0, 0.0]), GlyphType=forms),
     Row("Scaling", 0, area(DISC), ScaleFactor=0.5),
     Row("ScaleMode", "Magnitude", area(DISC / 4.0, DISC), scene="two", SelectScaleArray="size"),
