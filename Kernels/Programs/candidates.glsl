@@ -174,7 +174,7 @@ bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
   const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   bool single = rayQueries || Has(set.variants, SECTION_MOVES);
-  bool cuts = Has(set.variants, SECTION) && single && CutsGlyphs(set);
+  bool cuts = single && CutsGlyphs(set);
   Span body = WholeRay();
   if (cuts)
   {

@@ -24,7 +24,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <random>
 #include <string>
@@ -71,31 +70,49 @@ rtg::GlyphInstances Globe()
   return Surface(std::move(mesh));
 }
 
+/// Adds a line of round cones of those diameters. `joined`: they know their neighbors.
+void AddLine(rtg::GlyphInstances& instances, const std::vector<glm::vec3>& places,
+  const std::function<float(int)>& diameter, bool joined)
+{
+  instances.shape = rtg::Shape::RoundCone;
+  const int last = int(places.size()) - 1;
+  for (int k = 0; k < last; ++k)
+  {
+    const glm::vec3 way = places[k + 1] - places[k], middle = 0.5f * (places[k] + places[k + 1]);
+    const glm::vec3 axis = glm::normalize(way);
+    const glm::quat turn = glm::normalize(glm::quat(1.0f + axis.x, 0.0f, -axis.z, axis.y));
+    instances.centres.push_back(middle);
+    instances.sizes3.emplace_back(glm::length(way), diameter(k), diameter(k + 1));
+    instances.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
+    const auto end = [&](int beyond)
+    {
+      return beyond < 0 || beyond > last
+        ? glm::vec4(0.0f)
+        : glm::vec4(glm::conjugate(turn) * (places[beyond] - middle), 0.5f * diameter(beyond));
+    };
+    if (joined)
+    {
+      instances.before.push_back(end(k - 1));
+      instances.after.push_back(end(k + 2));
+    }
+  }
+}
+
 /// Curves of round cones at random places, each a helix.
 rtg::GlyphInstances Tubes()
 {
   const rtg::GlyphInstances starts = benchmark::MakeInstances({ "", rtg::Shape::Sphere, true }, curves);
-  constexpr float radius = 0.3f;
   rtg::GlyphInstances instances;
-  instances.shape = rtg::Shape::RoundCone;
-  for (std::size_t i = 0; i < curves; ++i)
+  for (const glm::vec3& start : starts.centres)
   {
-    const auto at = [&](int k)
+    std::vector<glm::vec3> places;
+    for (int k = 0; k <= int(pieces); ++k)
     {
       const float angle = 0.05f * k;
-      return starts.centres[i] + 5.0f * glm::vec3(std::cos(angle), std::sin(angle), 0.2f * angle);
-    };
-    for (int k = 0; k < int(pieces); ++k)
-    {
-      const glm::vec3 way = at(k + 1) - at(k), middle = 0.5f * (at(k) + at(k + 1)), axis = glm::normalize(way);
-      const glm::quat turn = glm::normalize(glm::quat(1.0f + axis.x, 0.0f, -axis.z, axis.y));
-      const auto end = [&](int k) { return glm::vec4(glm::conjugate(turn) * (at(k) - middle), radius); };
-      instances.centres.push_back(middle);
-      instances.sizes3.emplace_back(glm::length(way), 2.0f * radius, 2.0f * radius);
-      instances.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
-      instances.before.push_back(k > 0 ? end(k - 1) : glm::vec4(0.0f));
-      instances.after.push_back(k + 1 < int(pieces) ? end(k + 2) : glm::vec4(0.0f));
+      places.push_back(start + 5.0f * glm::vec3(std::cos(angle), std::sin(angle), 0.2f * angle));
     }
+    AddLine(
+      instances, places, [](int) { return 0.6f; }, true);
   }
   return instances;
 }
@@ -157,7 +174,6 @@ rtg::GlyphInstances Trails(const rtg::GlyphInstances& balls, bool fading)
     return glm::vec3(x, y, normal(random));
   };
   rtg::GlyphInstances trails;
-  trails.shape = rtg::Shape::RoundCone;
   for (const glm::vec3& ball : balls.centres)
   {
     std::vector<glm::vec3> places{ ball };
@@ -167,27 +183,11 @@ rtg::GlyphInstances Trails(const rtg::GlyphInstances& balls, bool fading)
       direction = glm::normalize(direction + 0.1f * vector());
       places.push_back(places.back() + 0.25f * balls.uniformSize * direction);
     }
-    const auto diameter = [&](int step) { return 0.5f * balls.uniformSize * float(steps - step) / steps; };
-    for (int step = 0; step < steps; ++step)
+    AddLine(
+      trails, places, [&](int step) { return 0.5f * balls.uniformSize * float(steps - step) / steps; }, fading);
+    for (int step = 0; fading && step < steps; ++step)
     {
-      const glm::vec3 centre = 0.5f * (places[step] + places[step + 1]), along = places[step + 1] - places[step],
-                      axis = glm::normalize(along);
-      const glm::quat turn = glm::normalize(glm::quat(1.0f + axis.x, 0.0f, -axis.z, axis.y));
-      const auto end = [&](int beyond)
-      {
-        return beyond < 0 || beyond > steps
-          ? glm::vec4(0.0f)
-          : glm::vec4(glm::conjugate(turn) * (places[beyond] - centre), 0.5f * diameter(beyond));
-      };
-      trails.centres.push_back(centre);
-      trails.sizes3.emplace_back(glm::length(along), diameter(step), diameter(step + 1));
-      trails.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
-      if (fading)
-      {
-        trails.before.push_back(end(step - 1));
-        trails.after.push_back(end(step + 2));
-        trails.opacities.push_back(float(steps - step) / (steps + 1));
-      }
+      trails.opacities.push_back(float(steps - step) / (steps + 1));
     }
   }
   return trails;
