@@ -1,8 +1,8 @@
 #include "pqRayTracedGlyphsArray.h"
 
+#include "GlyphShapes.h"
 #include "pqCoreUtilities.h"
 #include "vtkCommand.h"
-#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -28,8 +28,7 @@ bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
 bool IsVector(vtkSMProxy* display)
 {
   const int shape = vtkSMPropertyHelper(display, "GlyphShape").GetAsInt();
-  return shape == vtkRayTracedGlyphRepresentation::SPLIT_VECTOR ||
-    shape == vtkRayTracedGlyphRepresentation::UNCERTAIN_VECTOR;
+  return shape == rtglyphs::GlyphShapes::SPLIT_VECTOR || shape == rtglyphs::GlyphShapes::UNCERTAIN_VECTOR;
 }
 }
 

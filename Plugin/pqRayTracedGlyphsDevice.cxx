@@ -23,7 +23,7 @@ void CheckServer(pqServer* server)
     [server]()
     {
       if (!server->proxyManager()->GetProxyDefinitionManager()->HasDefinition(
-            "representations", "RayTracedGlyphRepresentation"))
+            "representations", "RayTracedRepresentation"))
       {
         const std::string words = "Ray Traced Glyphs: the server " + server->getResource().toURI().toStdString() +
           " has not loaded the plugin RayTracedGlyphs, so data there cannot be shown with it. Load it on the server, "

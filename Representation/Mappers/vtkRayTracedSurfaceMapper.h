@@ -10,7 +10,7 @@
  *
  * Triangles that have a corner without finite coordinates or motion are left out, counted and reported once.
  *
- * @sa vtkRayTracedSurfaceRepresentation
+ * @sa SurfaceContent
  */
 #ifndef vtkRayTracedSurfaceMapper_h
 #define vtkRayTracedSurfaceMapper_h

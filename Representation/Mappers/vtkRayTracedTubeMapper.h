@@ -5,7 +5,7 @@
  * Input is the vtkPolyData of lines of RayTracedSurfaceGatherer. To the scene each piece of a line is a glyph
  * (RayTracedTubeBuilder). Values of points become colors that change linearly from end to end of a piece.
  *
- * @sa vtkRayTracedTubeRepresentation
+ * @sa TubeContent
  */
 #ifndef vtkRayTracedTubeMapper_h
 #define vtkRayTracedTubeMapper_h

@@ -5,7 +5,6 @@
 #include "Tracer.h"
 #include "RayTracedArrays.h"
 #include "RayTracedDisplays.h"
-#include "RayTracedNumbers.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
@@ -16,14 +15,12 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
-#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkProperty.h"
-#include "vtkRayTracedActors.h"
-#include "vtkRayTracedMapper.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -35,14 +32,20 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <utility>
 
-using namespace rtglyphs::RayTracedNumbers;
+vtkStandardNewMacro(vtkRayTracedRepresentation);
 
 namespace
 {
+enum Ports
+{
+  GLYPH_TYPE_PORT = 1,
+  SELECTION_PORT = 2,
+  PORTS
+};
+
 // ParaView says so to subclasses of its views only.
 struct ScreenshotState : vtkPVRenderView
 {
@@ -52,25 +55,47 @@ struct ScreenshotState : vtkPVRenderView
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
-  : MadeImages(std::make_shared<rtg::PeriodicImages>())
-  , MadeSection(std::make_shared<rtg::Section>())
+  : Glyphs(this->Common)
+  , Surface(this->Common)
+  , Tubes(this->Common)
+  , Content(&this->Glyphs)
 {
+  this->SetNumberOfInputPorts(PORTS);
   this->RequestGhostCellsIfNeeded = false;
+  this->Common.Parts.Progress = this->ProgressOf("Building glyphs");
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::~vtkRayTracedRepresentation() = default;
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper* vtkRayTracedRepresentation::GetMapper()
+void vtkRayTracedRepresentation::SetRepresentation(const char* name)
 {
-  return this->MainMapper;
+  const std::string subtype = OrEmpty(name);
+  rtglyphs::RayTracedContent* content = &this->Glyphs;
+  if (subtype == "Surface")
+  {
+    content = &this->Surface;
+  }
+  else if (subtype == "Tubes")
+  {
+    content = &this->Tubes;
+  }
+  if (content != this->Content)
+  {
+    this->RemoveParts();
+    this->Content->Show(false);
+    this->Content = content;
+    this->Content->Show(this->GetVisibility());
+    this->RequestGhostCellsIfNeeded = content->NeedsGhostCells();
+    this->MarkModified();
+  }
 }
 
 //----------------------------------------------------------------------------
 vtkPVLODActor* vtkRayTracedRepresentation::GetRenderedProp()
 {
-  return this->MainActor;
+  return this->Common.Parts.Actor;
 }
 
 //****************************************************************************
@@ -78,11 +103,29 @@ vtkPVLODActor* vtkRayTracedRepresentation::GetRenderedProp()
 //****************************************************************************
 
 //----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == GLYPH_TYPE_PORT)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//----------------------------------------------------------------------------
 int vtkRayTracedRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input =
     inputVector[0]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[0], 0) : nullptr;
+  vtkDataObject* source = inputVector[GLYPH_TYPE_PORT]->GetNumberOfInformationObjects() == 1
+    ? vtkDataObject::GetData(inputVector[GLYPH_TYPE_PORT], 0)
+    : nullptr;
+  this->Glyphs.GatherMeshes(source, source ? this->GetInputAlgorithm(GLYPH_TYPE_PORT, 0) : nullptr);
+  this->Selected.Take(this, SELECTION_PORT, vtkDataObject::GetData(inputVector[SELECTION_PORT], 0));
   vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
   const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
@@ -95,14 +138,15 @@ int vtkRayTracedRepresentation::RequestData(
     {
       if (input)
       {
-        const vtkSmartPointer<vtkDataObject> made = this->GatherTree(input, wholeExtent);
-        again = this->Time.AddTrails(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
-          [&] { return this->MakeImages(made, input, /*together=*/true); });
+        const vtkSmartPointer<vtkDataObject> made = this->Gather(input, wholeExtent);
+        again = this->Content->HasTrails() &&
+          this->Common.Time.AddTrails(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
+            [&] { return this->MakeImages(made, input, /*together=*/true); });
         if (again)
         {
           return;
         }
-        this->Time.AddVelocities(made, input, this->GetInputAlgorithm());
+        this->Common.Time.AddVelocities(made, input, this->GetInputAlgorithm());
         rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
         gathered = made;
       }
@@ -116,9 +160,9 @@ int vtkRayTracedRepresentation::RequestData(
   }
   if (!good)
   {
-    this->Time.GiveUp();
+    this->Common.Time.GiveUp();
   }
-  else if (const std::string message = this->Time.TakeMessage(); !message.empty())
+  else if (const std::string message = this->Common.Time.TakeMessage(); !message.empty())
   {
     vtkWarningMacro(<< message);
   }
@@ -131,20 +175,26 @@ int vtkRayTracedRepresentation::RequestData(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
-  const bool blocks = input->IsA("vtkCompositeDataSet");
-  const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
-  const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
-  double done = 0.0;
-  return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
-    [&](vtkDataObject* data)
-    {
-      const double first = done;
-      done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
-      return this->Gather(
-        data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
-    });
+  const auto gather = [&]
+  {
+    const bool blocks = input->IsA("vtkCompositeDataSet");
+    const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
+    const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
+    double done = 0.0;
+    return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
+      [&](vtkDataObject* data)
+      {
+        const double first = done;
+        done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
+        return this->Content->Gather(
+          data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
+      });
+  };
+  this->Surface.NonlinearSubdivisionLevel =
+    vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter)->GetNonlinearSubdivisionLevel();
+  return this->Selected.Gather(input, this->Content->GatherOptions(), this->Content->MarksSelection(), gather);
 }
 
 //----------------------------------------------------------------------------
@@ -162,7 +212,10 @@ int vtkRayTracedRepresentation::EmptyType() const
 // Arrays that are named as parts of one; and ParaView offers all arrays as colors but for those that are marked so.
 void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 {
-  for (const std::string& name : this->Arrays())
+  const rtglyphs::GlyphMotion::Settings& motion = this->Common.Time.Motion;
+  std::vector<std::string> names = this->Content->Arrays();
+  names.insert(names.end(), { motion.Velocity, motion.Acceleration, motion.AngularVelocity });
+  for (const std::string& name : names)
   {
     rtglyphs::GlyphJoinedArrays::Add(points, name);
   }
@@ -181,10 +234,10 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-const double*
-vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings)
+// Those of everything shown of gathered or delivered points, before the actor's transform.
+const double* vtkRayTracedRepresentation::GetDataBounds(vtkPolyData* points)
 {
-  return this->Bounds.Get(points, settings, this->Blocks.GetHidden());
+  return this->Bounds.Get(points, this->Content->GetAllSizes(points), this->Common.Blocks.GetHidden());
 }
 
 //----------------------------------------------------------------------------
@@ -202,7 +255,7 @@ int vtkRayTracedRepresentation::RequestUpdateTime(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateTime(request, inputVector, outputVector);
-  this->Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
+  this->Common.Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
   return good;
 }
 
@@ -211,7 +264,16 @@ int vtkRayTracedRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  this->Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
+  this->Common.Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
+  // The mesh of mesh glyphs is the same on all processes.
+  for (int i = 0; i < inputVector[GLYPH_TYPE_PORT]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputVector[GLYPH_TYPE_PORT]->GetInformationObject(i);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::EXACT_EXTENT(), 1);
+  }
   return good;
 }
 
@@ -299,22 +361,24 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
 {
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    this->Common.HasData = this->GetNumberOfInputConnections(0) > 0;
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     this->Piece = vtkPVView::GetPiece(inInfo, this);
     this->UseBlocks(this->Piece);
-    this->Deliver(inInfo, /*lod=*/false);
-    if (this->GetNumberOfInputConnections(0) > 0)
+    this->Content->Deliver(inInfo, this, /*lod=*/false);
+    vtkPolyData* points = this->Common.Blocks.GetPoints();
+    if (this->Common.HasData)
     {
-      this->Time.UpdateShutterTime(
-        this->GetPoints(), [this](double& unitSize) { return this->GetSizes(this->GetPoints(), unitSize); },
-        this->GetUpdateTime());
+      this->Common.Time.UpdateShutterTime(
+        points, [&](double& unitSize) { return this->Content->GetSizes(points, unitSize); }, this->GetUpdateTime());
     }
     double bounds[6];
-    std::copy_n(this->GetDataBounds(this->GetPoints()), 6, bounds);
-    rtglyphs::ExtendBounds(this->MakeImages(this->GetPoints(), this->Piece, /*together=*/true), bounds);
-    this->UpdateActor();
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->MainActor->GetMatrix());
-    if (this->MainMapper)
+    std::copy_n(this->GetDataBounds(points), 6, bounds);
+    rtglyphs::ExtendBounds(this->MakeImages(points, this->Piece, /*together=*/true), bounds);
+    rtglyphs::RayTracedParts& parts = this->Common.Parts;
+    parts.Follow(this->Actor, this->Property, this->GetVisibility());
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, parts.Actor->GetMatrix());
+    if (parts.Mapper)
     {
       // The clipping range takes those of actors, too: old ones that were larger would hold until the next update.
       this->SetPartBounds(bounds);
@@ -331,7 +395,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
   {
     // Glyphs are as quick to trace while the camera moves; they only must not be missing.
     vtkPVRenderView::SetPieceLOD(inInfo, this, this->Piece);
-    this->Deliver(inInfo, /*lod=*/true);
+    this->Content->Deliver(inInfo, this, /*lod=*/true);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
@@ -368,42 +432,7 @@ void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
   auto* blocks = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
   scalars.MissingIsNan = blocks && blocks->GetColorMissingArraysWithNanColor();
 #endif
-  this->Blocks.Update(data, this->BlockAttributes, common);
-}
-
-//----------------------------------------------------------------------------
-// The superclass's actor is not rendered, and its numbers may be NaN or infinite.
-void vtkRayTracedRepresentation::UpdateActor()
-{
-  vtkProperty* property = this->MainActor->GetProperty();
-  property->DeepCopy(this->Property);
-  property->SetOpacity(NumberOr(property->GetOpacity(), 1.0));
-  property->SetAmbient(NumberOr(property->GetAmbient(), 0.0));
-  property->SetDiffuse(NumberOr(property->GetDiffuse(), 1.0));
-  property->SetSpecular(NumberOr(property->GetSpecular(), 0.0));
-  property->SetSpecularPower(NumberOr(property->GetSpecularPower(), 100.0));
-  property->SetMetallic(NumberOr(property->GetMetallic(), 0.0));
-  property->SetRoughness(NumberOr(property->GetRoughness(), 0.5));
-  property->SetCoatStrength(NumberOr(property->GetCoatStrength(), 0.0));
-  property->SetCoatIOR(NumberOr(property->GetCoatIOR(), 2.0));
-  property->SetCoatRoughness(NumberOr(property->GetCoatRoughness(), 0.0));
-  const auto inRange = [](const double* color) { return ColorInRange(color[0], color[1], color[2]); };
-  // VTK 9.6's copy has the diffuse color for the ambient one.
-  property->SetAmbientColor(inRange(this->Property->GetAmbientColor()).data());
-  property->SetDiffuseColor(inRange(property->GetDiffuseColor()).data());
-  property->SetSpecularColor(inRange(property->GetSpecularColor()).data());
-  property->SetCoatColor(inRange(property->GetCoatColor()).data());
-
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  const double* elements = matrix->GetData();
-  if (!std::all_of(elements, elements + 16, [](double element) { return std::isfinite(element); }))
-  {
-    matrix->Identity();
-  }
-  this->MainActor->SetUserMatrix(matrix);
-  this->MainActor->SetPickable(this->Actor->GetPickable());
-  this->MainActor->SetVisibility(this->GetVisibility());
+  this->Common.Blocks.Update(data, this->BlockAttributes, common);
 }
 
 //----------------------------------------------------------------------------
@@ -414,14 +443,6 @@ void vtkRayTracedRepresentation::ReportAnew(const std::string& problem, std::str
   {
     vtkErrorMacro(<< problem);
   }
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::UpdateSection()
-{
-  std::string problem;
-  *this->MadeSection = this->Section.Make(this->Time.Motion.On, problem);
-  this->ReportAnew(problem, this->SectionProblem);
 }
 
 //----------------------------------------------------------------------------
@@ -457,26 +478,6 @@ rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkDataObject* points
   return images;
 }
 
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
-{
-  if (held != OrEmpty(name))
-  {
-    held = OrEmpty(name);
-    if (held.find(',') != std::string::npos)
-    {
-      this->MarkModified(); // steps that the view has kept lack it
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
-std::vector<std::string> vtkRayTracedRepresentation::Arrays() const
-{
-  const rtglyphs::GlyphMotion::Settings& motion = this->Time.Motion;
-  return { motion.Velocity, motion.Acceleration, motion.AngularVelocity };
-}
-
 //****************************************************************************
 // The render side
 //****************************************************************************
@@ -488,29 +489,20 @@ vtkPVRenderView* vtkRayTracedRepresentation::GetRenderView()
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::AddPart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+bool vtkRayTracedRepresentation::NeedsOrderedCompositing()
 {
-  actor->SetMapper(mapper);
-  view->GetRenderer()->AddActor(actor);
-  view->RegisterPropForHardwareSelection(this, actor);
-  mapper->SetBuildProgress(this->ProgressOf("Building glyphs"));
-  mapper->SetSection(this->MadeSection);
-  mapper->SetImages(this->MadeImages);
-  vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
-{
-  vtkRayTracedScene::Of(view->GetRenderer())->Remove(mapper);
-  view->UnRegisterPropForHardwareSelection(this, actor);
-  view->GetRenderer()->RemoveActor(actor);
+  return this->Content->IsTranslucent() || this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
 // Without the superclass's actor.
 bool vtkRayTracedRepresentation::AddToView(vtkView* view)
 {
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->Common.Key->AddTo(renderView);
+    this->Glyphs.GetLegend()->AddTo(renderView);
+  }
   return this->vtkPVDataRepresentation::AddToView(view);
 }
 
@@ -522,33 +514,45 @@ bool vtkRayTracedRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  if (this->MainMapper)
-  {
-    this->RemoveLayers(renderView);
-    this->RemovePart(renderView, this->MainActor, this->MainMapper);
-    this->MainMapper = nullptr;
-  }
+  this->RemoveParts();
+  this->Common.Key->RemoveFrom(renderView);
+  this->Glyphs.GetLegend()->RemoveFrom(renderView);
   return this->vtkPVDataRepresentation::RemoveFromView(view);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::RemoveParts()
+{
+  rtglyphs::RayTracedParts& parts = this->Common.Parts;
+  if (parts.Mapper)
+  {
+    this->Content->RemoveLayers(this, this->GetRenderView());
+    parts.Remove(this, this->GetRenderView(), parts.Actor, parts.Mapper);
+    parts.Mapper = nullptr;
+  }
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetVisibility(bool visible)
 {
-  this->MainActor->SetVisibility(visible);
-  this->ShowLayers(visible);
+  this->Common.Parts.Actor->SetVisibility(visible);
+  this->Content->Show(visible);
   this->Superclass::SetVisibility(visible);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* inInfo)
 {
-  if (!this->MainMapper)
+  rtglyphs::RayTracedParts& parts = this->Common.Parts;
+  if (!parts.Mapper)
   {
-    this->MainMapper = this->MakeMapper();
-    this->AddPart(view, this->MainActor, this->MainMapper);
+    parts.Mapper = this->Content->MakeMapper();
+    parts.Add(this, view, parts.Actor, parts.Mapper);
   }
-  this->UpdateActor();
-  this->UpdateSection();
+  parts.Follow(this->Actor, this->Property, this->GetVisibility());
+  std::string problem;
+  *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
+  this->ReportAnew(problem, this->SectionProblem);
   const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
   vtkDataObject* delivered =
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
@@ -556,13 +560,13 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   if (delivered || !this->Piece)
   {
     this->UseBlocks(delivered);
-    this->MainMapper->SetBlocks(this->Blocks);
+    parts.Mapper->SetBlocks(this->Common.Blocks);
   }
-  vtkPolyData* points = this->MainMapper->GetPoints();
+  vtkPolyData* points = parts.Mapper->GetPoints();
   const bool collective = this->IsCollective(inInfo);
   vtkRayTracedScene* scene = this->GetScene();
-  this->MainMapper->SetInWindow(scene->GetSettings().IsStepwise());
-  this->Configure(inInfo, points, lod, collective);
+  parts.Mapper->SetInWindow(scene->GetSettings().IsStepwise());
+  this->Content->Configure({ inInfo, this, view, points, lod, collective, this->NeedsOrderedCompositing() });
   vtkNew<vtkPolyData> nothing;
   double bounds[6];
   std::copy_n(this->GetDataBounds(points ? points : nothing.Get()), 6, bounds);
@@ -575,9 +579,9 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     images.lit = images.shown;
   }
   this->SetPartBounds(bounds);
-  *this->MadeImages = rtglyphs::Moved(images, this->MainActor->GetMatrix());
+  *parts.Images = rtglyphs::Moved(images, parts.Actor->GetMatrix());
   scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
-  scene->SetStatistics(this->MainMapper,
+  scene->SetStatistics(parts.Mapper,
     { this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
       this->Bounds.GetSeconds() });
 }
@@ -585,7 +589,8 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPartBounds(const double bounds[6])
 {
-  this->MainMapper->SetKnownBounds(bounds);
+  this->Common.Parts.Mapper->SetKnownBounds(bounds);
+  this->Content->SetLayerBounds(bounds);
 }
 
 //----------------------------------------------------------------------------
@@ -613,11 +618,108 @@ void vtkRayTracedRepresentation::GatherIf(bool changed)
 // Trails, too, use the box of the data.
 void vtkRayTracedRepresentation::SetPeriodicBoundary(bool on)
 {
-  this->GatherIf(std::exchange(this->Periodic.Boundary, on) != on && this->HasTrails());
+  this->GatherIf(std::exchange(this->Periodic.Boundary, on) != on && this->Content->HasTrails());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPeriodicVectors(int index, double value)
 {
-  this->GatherIf(std::exchange(this->Periodic.Vectors.at(index), value) != value && this->HasTrails());
+  this->GatherIf(std::exchange(this->Periodic.Vectors.at(index), value) != value && this->Content->HasTrails());
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
+{
+  if (held != OrEmpty(name))
+  {
+    held = OrEmpty(name);
+    if (held.find(',') != std::string::npos)
+    {
+      this->MarkModified(); // steps that the view has kept lack it
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphShape(int shape)
+{
+  if (!rtglyphs::GlyphShapes::IsKnown(shape))
+  {
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 18.");
+    return;
+  }
+  this->Glyphs.GlyphShape = shape;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphLocation(int location)
+{
+  this->GatherIf(std::exchange(this->Glyphs.Cells, location > 0) != (location > 0));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetInterpolation(int interpolation)
+{
+  const bool smooth = interpolation != VTK_FLAT;
+  this->Superclass::SetInterpolation(interpolation);
+  const bool changed = std::exchange(this->Surface.Smooth, smooth) != smooth;
+  this->GatherIf(changed && this->Content == &this->Surface); // normals may be missing
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphDataSizes(
+  double highScale, double meshWidth, double meshHeight, double largest)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    this->Glyphs.DataSizes = { highScale, meshWidth, meshHeight, largest };
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphMode(int mode)
+{
+  this->Glyphs.Settings.Mask.On = mode > 0;
+  this->Glyphs.Settings.Mask.Mode = std::max(mode - 1, 0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphLegend(int place)
+{
+  this->Glyphs.LegendStyle.On = place > 0;
+  this->Glyphs.LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphSizeRange(double least, double most)
+{
+  rtglyphs::GlyphSizing& sizing = this->Glyphs.Settings.Sizing;
+  sizing.Least = std::max(rtglyphs::RayTracedNumbers::NumberOr(least, 0.0), 0.0);
+  sizing.Most = std::max(rtglyphs::RayTracedNumbers::NumberOr(most, 0.0), 0.0);
+  if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
+  {
+    vtkErrorMacro("GlyphSizeRange is " << least << ", " << most
+                                       << "; the second must not be less than the first. All glyphs get the size "
+                                       << most << ".");
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetGlyphExponents(double r, double s, double t)
+{
+  // NaN makes no glyph, as zero does.
+  this->Glyphs.Settings.Exponents[0] = rtglyphs::RayTracedNumbers::NumberOr(r, 0.0);
+  this->Glyphs.Settings.Exponents[1] = rtglyphs::RayTracedNumbers::NumberOr(s, 0.0);
+  this->Glyphs.Settings.Exponents[2] = rtglyphs::RayTracedNumbers::NumberOr(t, 0.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetTable(bool sourceIndexing, bool useSourceTableTree)
+{
+  if (this->Glyphs.SourceIndexing != sourceIndexing || this->Glyphs.UseSourceTableTree != useSourceTableTree)
+  {
+    this->Glyphs.SourceIndexing = sourceIndexing;
+    this->Glyphs.UseSourceTableTree = useSourceTableTree;
+    this->MarkModified(); // the meshes must be gathered again
+  }
 }

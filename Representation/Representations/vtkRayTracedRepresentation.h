@@ -1,15 +1,16 @@
 /**
  * @class   vtkRayTracedRepresentation
- * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery and motion
+ * @brief   glyphs, the surface or tubes of a data set, ray traced
  *
- * Appearance, placement, colors and blocks are those of ParaView's ordinary surface. Of the superclass neither the
- * geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is gathered, and actors of ours
- * follow its actor.
+ * What is shown is a RayTracedContent, which ParaView names as subtype of the representation (SetRepresentation());
+ * this class delivers and places it. Appearance, placement, colors and blocks are those of ParaView's ordinary surface.
+ * Of the superclass neither the geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is
+ * gathered, and actors of ours follow its actor (RayTracedParts).
  *
- * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with
- * their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made
- * when something is first rendered, and configured from the properties at each REQUEST_RENDER. Which work a change of a
- * property causes is found out there by comparing; only what needs a new gather or delivery calls MarkModified().
+ * Points, triangles or lines are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view
+ * with their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are
+ * made when something is first rendered, and configured from the properties at each REQUEST_RENDER. Which work a change
+ * of a property causes is found out there by comparing; only what needs a new gather or delivery calls MarkModified().
  *
  * @sa vtkRayTracedScene vtkRayTracedMapper
  */
@@ -23,12 +24,13 @@
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "GlyphBounds.h"
-#include "RayTracedBlocks.h"
+#include "GlyphContent.h"
 #include "RayTracedNumbers.h"
-#include "RayTracedParallel.h"
 #include "RayTracedPeriodic.h"
 #include "RayTracedSection.h"
-#include "RayTracedTime.h"
+#include "RayTracedSelected.h"
+#include "SurfaceContent.h"
+#include "TubeContent.h"
 #endif
 
 #include <algorithm>
@@ -41,14 +43,36 @@
 
 class vtkCompositeDataDisplayAttributes;
 class vtkPVRenderView;
-class vtkRayTracedActor;
-class vtkRayTracedMapper;
 class vtkRayTracedScene;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
 {
 public:
+  static vtkRayTracedRepresentation* New();
   vtkTypeMacro(vtkRayTracedRepresentation, vtkGeometryRepresentation);
+
+  /**
+   * What is shown: Glyphs (default), Surface or Tubes.
+   */
+  void SetRepresentation(const char* content) override;
+  using vtkGeometryRepresentation::SetRepresentation;
+
+  ///@{
+  /**
+   * Colors: of what is selected (default is ParaView's, magenta); how directions become colors
+   * (rtglyphs::DirectionColors), and where in the view their key is. Default is not at all, and the upper right corner.
+   */
+  void SetSelectionColor(double red, double green, double blue)
+  {
+    this->Common.SelectionColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
+  }
+  void SetGlyphDirectionColoring(int kind)
+  {
+    this->Common.DirectionColoring =
+      std::clamp<int>(kind, rtglyphs::DirectionColors::NONE, rtglyphs::DirectionColors::SPHERE);
+  }
+  void SetGlyphDirectionKey(int place) { this->Common.Key->SetPlace(place); }
+  ///@}
 
   ///@{
   /**
@@ -57,30 +81,33 @@ public:
    * an array of one component, by default the global ids, identifies points. See GlyphMotion::Settings for
    * defaults.
    */
-  void SetMotionBlur(bool on) { this->Time.Motion.On = on; }
-  void SetVelocityArray(const char* name) { this->SetArray(this->Time.Motion.Velocity, name); }
-  void SetVelocityFromPreviousStep(bool on) { this->GatherIf(this->Time.SetVelocityFromPreviousStep(on)); }
-  void SetPointIdArray(const char* name) { this->GatherIf(this->Time.SetPointIdArray(OrEmpty(name))); }
-  void SetAccelerationArray(const char* name) { this->SetArray(this->Time.Motion.Acceleration, name); }
-  void SetAngularVelocityArray(const char* name) { this->SetArray(this->Time.Motion.AngularVelocity, name); }
-  void SetMotionBlurMask(const char* name) { this->Time.Motion.Mask = OrEmpty(name); }
-  void SetShutterTimeFromData(bool on) { this->Time.SetShutterTimeFromData(on); }
-  void SetShutterTime(double time) { this->Time.Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0); }
-  void SetShutterOpening(int opening) { this->Time.Motion.Opening = std::clamp(opening, 0, 2); }
+  void SetMotionBlur(bool on) { this->Common.Time.Motion.On = on; }
+  void SetVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.Velocity, name); }
+  void SetVelocityFromPreviousStep(bool on) { this->GatherIf(this->Common.Time.SetVelocityFromPreviousStep(on)); }
+  void SetPointIdArray(const char* name) { this->GatherIf(this->Common.Time.SetPointIdArray(OrEmpty(name))); }
+  void SetAccelerationArray(const char* name) { this->SetArray(this->Common.Time.Motion.Acceleration, name); }
+  void SetAngularVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.AngularVelocity, name); }
+  void SetMotionBlurMask(const char* name) { this->Common.Time.Motion.Mask = OrEmpty(name); }
+  void SetShutterTimeFromData(bool on) { this->Common.Time.SetShutterTimeFromData(on); }
+  void SetShutterTime(double time)
+  {
+    this->Common.Time.Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0);
+  }
+  void SetShutterOpening(int opening) { this->Common.Time.Motion.Opening = std::clamp(opening, 0, 2); }
   ///@}
 
   /**
    * In how many earlier time steps the points are sought (GlyphStepTrail), for representations that show their trails.
    * Default is 0.
    */
-  void SetTrailSteps(int steps) { this->GatherIf(this->Time.SetTrailSteps(steps)); }
+  void SetTrailSteps(int steps) { this->GatherIf(this->Common.Time.SetTrailSteps(steps)); }
 
   /**
    * The shutter time that the data suggest while ShutterTimeFromData is on (default): GlyphShutterGuess's, or with
    * velocities from the previous step the time between the two. 0: none yet. Processes that have data use it by
    * themselves; those that only render get it by SetShutterTime().
    */
-  double GetShutterTimeGuess() { return this->Time.GetShutterTimeGuess(); }
+  double GetShutterTimeGuess() { return this->Common.Time.GetShutterTimeGuess(); }
 
   ///@{
   /**
@@ -113,6 +140,201 @@ public:
   }
   ///@}
 
+  ///@{
+  /**
+   * Shape of the glyphs (rtglyphs::GlyphShapes), and whether they stand at the points of the input or at its cells'
+   * centers (1).
+   */
+  void SetGlyphShape(int shape);
+  void SetGlyphLocation(int location);
+  ///@}
+
+  ///@{
+  /**
+   * As vtkGlyph3DRepresentation's, with vtkGlyph3DMapper's modes. Orientation arrays of four components are quaternions
+   * and those of nine rotation matrices in every mode.
+   */
+  void SetScaling(bool on) { this->Glyphs.Scaling = on; }
+  void SetScaleArray(const char* name) { this->SetArray(this->Glyphs.Settings.ScaleArray, name); }
+  void SetScaleMode(int mode) { this->Glyphs.ScaleMode = mode; }
+  void SetScaleFactor(double factor)
+  {
+    this->Glyphs.Settings.ScaleFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0);
+  }
+  void SetOrient(bool on) { this->Glyphs.Settings.Orient = on; }
+  void SetOrientationArray(const char* name) { this->SetArray(this->Glyphs.Settings.OrientationArray, name); }
+  void SetOrientationMode(int mode) { this->Glyphs.Settings.OrientationMode = mode; }
+  void SetSourceIndexing(bool on) { this->SetTable(on, this->Glyphs.UseSourceTableTree); }
+  void SetSourceIndexArray(const char* name) { this->Glyphs.Settings.TableIndexArray = OrEmpty(name); }
+  void SetUseSourceTableTree(bool on) { this->SetTable(this->Glyphs.SourceIndexing, on); }
+  ///@}
+
+  ///@{
+  /**
+   * Size and place; see GlyphSettings for modes and defaults.
+   */
+  void SetScaleFactorFromData(bool on) { this->Glyphs.SetScaleFactorFromData(on); }
+  void SetGlyphScaleFunction(int function) { this->Glyphs.Settings.Sizing.Function = function; }
+  void SetGlyphSizeRange(double least, double most);
+  void SetGlyphRadiusArray(const char* name) { this->Glyphs.Settings.RadiusArray = OrEmpty(name); }
+  void SetGlyphRadiusFactor(double factor)
+  {
+    this->Glyphs.Settings.RadiusFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0);
+  }
+  void SetGlyphAnchor(int anchor) { this->Glyphs.Settings.Anchor = anchor; }
+  ///@}
+
+  ///@{
+  /**
+   * The result of GlyphScaleGuess, where ScaleFactorFromData is on: factor, limit, fraction of the glyphs that have the
+   * limit. Processes that have data use it by themselves; those that only render get it by SetScaleFactor() and
+   * SetGlyphSizeLimit(), the client being between them.
+   */
+  double* GetScaleFactorGuess() VTK_SIZEHINT(3) { return this->Glyphs.ScaleGuess.data(); }
+  void SetGlyphSizeLimit(double limit) { this->Glyphs.SizeLimit = rtglyphs::RayTracedNumbers::NumberOr(limit, 0.0); }
+  ///@}
+
+  ///@{
+  /**
+   * Values of the data for processes that only render: GlyphHighScale, and width and height of the mesh of mesh
+   * glyphs; numbers are 0 where there is none. The client carries them there.
+   */
+  double* GetGlyphDataSizesInfo() VTK_SIZEHINT(4) { return this->Glyphs.DataSizes.data(); }
+  void SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight, double largest);
+  ///@}
+
+  ///@{
+  /**
+   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
+   * its corner and 1. Default is none, a number that fits, white.
+   */
+  void SetGlyphLegend(int place);
+  void SetGlyphLegendValue(double value)
+  {
+    this->Glyphs.LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0);
+  }
+  void SetGlyphLegendColor(double red, double green, double blue)
+  {
+    this->Glyphs.LegendStyle.Color = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * Whether arrows have heads of one size (0) or scaled ones (1, default), as vtkArrowSource's. Fixed heads are
+   * slightly rounded and have the source's proportions on an arrow of the reference magnitude: the 95th percentile of
+   * the scale array unless it is positive.
+   */
+  void SetArrowHeads(int heads) { this->Glyphs.FixedHeads = heads == 0; }
+  void SetArrowReferenceMagnitude(double magnitude)
+  {
+    this->Glyphs.Settings.ArrowReference = rtglyphs::RayTracedNumbers::NumberOr(magnitude, 0.0);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, and an array that overrides them, default none. See
+   * GlyphInstanceBuilder.
+   */
+  void SetGlyphExponents(double r, double s, double t);
+  void SetGlyphExponentArray(const char* name) { this->SetArray(this->Glyphs.Settings.ExponentArray, name); }
+  ///@}
+
+  /**
+   * Opacities of the glyphs, in [0, 1], times that of the representation and of colors; default none.
+   */
+  void SetGlyphOpacityArray(const char* name) { this->Glyphs.Settings.OpacityArray = OrEmpty(name); }
+
+  ///@{
+  /**
+   * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
+   * fraction of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
+   * superquadrics (in [0, 10], default 3), the least thickness as a fraction of the longest axis (in [0.001, 1],
+   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of
+   * tensors are colored by, and by its ends GlyphTensors::SIGN.
+   */
+  void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Settings.Tensors.Array, name); }
+  void SetGlyphTensorLayout(int layout)
+  {
+    this->Glyphs.Settings.Tensors.Layout = static_cast<rtglyphs::GlyphTensors::TensorLayouts>(layout);
+  }
+  void SetGlyphConfidence(double share) { this->Glyphs.Settings.Tensors.Confidence = share; }
+  void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Settings.Tensors.Sharpness = sharpness; }
+  void SetGlyphTensorThickness(double share) { this->Glyphs.Settings.Tensors.Thickness = share; }
+  void SetGlyphTensorColoring(int coloring) { this->Glyphs.Settings.Tensors.Coloring = coloring; }
+  void SetGlyphTensorLookupTable(vtkScalarsToColors* table) { this->Glyphs.TensorTable = table; }
+  ///@}
+
+  ///@{
+  /**
+   * The coefficients of spherical harmonics, their basis (rtg::HarmonicsBasis, default 0, MRtrix3's), and whether each
+   * glyph of a polynomial has the same size (1) or all have one scale (0, default).
+   */
+  void SetGlyphHarmonicsArray(const char* name) { this->SetArray(this->Glyphs.HarmonicsArray, name); }
+  void SetGlyphHarmonicsBasis(int basis)
+  {
+    this->Glyphs.Settings.Forms.Basis = static_cast<rtg::HarmonicsBasis>(basis);
+  }
+  void SetGlyphHarmonicsScaling(int scaling) { this->Glyphs.Settings.Forms.Each = scaling == 1; }
+  ///@}
+
+  /**
+   * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives
+   * none.
+   */
+  double* GetGlyphTensorRange() VTK_SIZEHINT(2) { return this->Glyphs.TensorRange.data(); }
+
+  /**
+   * Information: the fraction of the tensors shown that have a negative eigenvalue.
+   */
+  double GetGlyphNegativeTensors() const { return this->Glyphs.NegativeTensors; }
+
+  ///@{
+  /**
+   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors), and
+   * their color. Default is off, yellow.
+   */
+  void SetGlyphTensorAxis(bool on) { this->Glyphs.TensorAxis = on; }
+  void SetGlyphTensorAxisColor(double red, double green, double blue)
+  {
+    this->Glyphs.TensorAxisColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * Shows only some of the glyphs; see GlyphMask for modes and defaults. 0: all, else its mode and 1.
+   */
+  void SetGlyphMode(int mode);
+  void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.Settings.Mask.MaximumNumberOfGlyphs = number; }
+  void SetGlyphStride(int stride) { this->Glyphs.Settings.Mask.Stride = stride; }
+  ///@}
+
+  /**
+   * How much of their opacity trails lose to their last step, in [0, 1]. Default is 0.
+   */
+  void SetTrailFading(double fading)
+  {
+    this->Glyphs.TrailFading = std::clamp(rtglyphs::RayTracedNumbers::NumberOr(fading, 0.0), 0.0, 1.0);
+  }
+
+  ///@{
+  /**
+   * Tubes: radius in world units, times the values of an array of points or cells ("None" or empty: none), default is
+   * 1, None; lines end in half balls (0, default) or discs (1).
+   */
+  void SetTubeRadius(double radius) { this->Tubes.Radius = rtglyphs::RayTracedNumbers::NumberOr(radius, 0.0); }
+  void SetTubeRadiusArray(const char* name) { this->Tubes.RadiusArray = OrEmpty(name); }
+  void SetTubeEnds(int ends) { this->Tubes.FlatEnds = ends == 1; }
+  ///@}
+
+  /**
+   * Surfaces, 0 (VTK_FLAT): each triangle has its own normal. Any other: the points' normals are interpolated, which
+   * are computed where the data have none. Default is 1, VTK_GOURAUD.
+   */
+  void SetInterpolation(int interpolation) override;
+
   // vtkPVDataRepresentation
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
@@ -122,8 +344,9 @@ protected:
   vtkRayTracedRepresentation();
   ~vtkRayTracedRepresentation() override;
 
-  /// The actor of the glyphs or the surface, which GetActor() returns, too.
+  /// The main actor, which GetActor() returns, too.
   vtkPVLODActor* GetRenderedProp() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateTime(
@@ -132,111 +355,56 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
-
-  ///@{
-  /**
-   * The data side. Gather() makes what is delivered to the mapper of one data set, a block of composite data or all,
-   * and reports to `progress`; `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names
-   * of those that are to be made of several. GetDataBounds() are those of everything shown of gathered or delivered
-   * points, before the actor's transform. Deliver() may hand further pieces to the view.
-   */
-  virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
-  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
-    const rtglyphs::RayTracedParallel::Progress& progress) = 0;
-  virtual std::vector<std::string> Arrays() const;
-  virtual const double* GetDataBounds(vtkPolyData* points) = 0;
-  virtual void Deliver(vtkInformation*, bool /*lod*/) {}
-  ///@}
-
-  /**
-   * Glyphs at the points that are as large as what is shown, of a unit glyph of that length.
-   */
-  virtual rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
-
-  int GetTrailSteps() const { return this->Time.GetTrailSteps(); }
-  bool HasTrails() const { return this->GetTrailSteps() > 0; }
-
-  rtglyphs::GlyphMotion::Settings GetMotion() const { return this->Time.GetMotion(); }
-
-  ///@{
-  /**
-   * The render side. MakeMapper() is called once; Configure() at each render, with the delivered points (may be null).
-   * `collective`: all ranks render together. Hide() is called when the representation is hidden. SetPartBounds(), once
-   * there is a mapper: of its actors and layers.
-   */
-  virtual vtkSmartPointer<vtkRayTracedMapper> MakeMapper() = 0;
-  virtual void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
-  virtual void SetPartBounds(const double bounds[6]);
-  virtual void ShowLayers(bool /*visible*/) {}
-  virtual void RemoveLayers(vtkPVRenderView*) {}
-  ///@}
-
-  ///@{
-  /**
-   * Adds an actor to the view's renderer and scene as part of this representation, or takes it out.
-   */
-  void AddPart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
-  void RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
-  ///@}
-
-  /**
-   * For GetDataBounds(): a box around glyphs of all these settings.
-   */
-  const double* GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings);
-
-  /**
-   * Reports to ParaView's progress bar.
-   */
-  rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what);
-
-  vtkRayTracedMapper* GetMapper();
-  vtkPolyData* GetPoints() { return this->Blocks.GetPoints(); }
-  vtkPVRenderView* GetRenderView();
-
-  /**
-   * Strings of the server manager may be null, which means no array.
-   */
-  static std::string OrEmpty(const char* name) { return name ? name : ""; }
-
-  /**
-   * For properties that name an array which AddArrays() may have to make of several.
-   */
-  void SetArray(std::string& held, const char* name);
-
-  rtglyphs::RayTracedTime Time;
-  rtglyphs::RayTracedBlocks Blocks; // of what was last delivered or rendered
+  bool NeedsOrderedCompositing() override;
 
 private:
-  void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
+  /// Strings of the server manager may be null, which means no array.
+  static std::string OrEmpty(const char* name) { return name ? name : ""; }
+
+  // Properties
+  void SetArray(std::string& held, const char* name);
+  void SetTable(bool sourceIndexing, bool useSourceTableTree);
   void GatherIf(bool changed);
+  void ReportAnew(const std::string& problem, std::string& reported);
+
+  // The data side
+  rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what); // to ParaView's progress bar
+  void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
+  vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, const int* wholeExtent);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
-  bool IsCollective(vtkInformation* inInfo);
   void UseBlocks(vtkDataObject* data);
-  void UpdateActor();
-  void ReportAnew(const std::string& problem, std::string& reported);
-  void UpdateSection();
   rtg::PeriodicImages MakeImages(vtkDataObject* points, vtkDataObject* data, bool together);
-  void Render(vtkPVRenderView* view, vtkInformation* inInfo);
+  const double* GetDataBounds(vtkPolyData* points);
+
+  // The render side
+  vtkPVRenderView* GetRenderView();
   vtkRayTracedScene* GetScene();
+  bool IsCollective(vtkInformation* inInfo);
+  void SetPartBounds(const double bounds[6]);
+  void RemoveParts();
+  void Render(vtkPVRenderView* view, vtkInformation* inInfo);
+
+  rtglyphs::RayTracedCommon Common;
+  rtglyphs::GlyphContent Glyphs;
+  rtglyphs::SurfaceContent Surface;
+  rtglyphs::TubeContent Tubes;
+  rtglyphs::RayTracedContent* Content; // one of these
 
   rtglyphs::GlyphBounds Bounds;
+  rtglyphs::RayTracedSelected Selected;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
-  vtkNew<vtkRayTracedActor> MainActor;                       // in no renderer until it is shown
-  vtkSmartPointer<vtkRayTracedMapper> MainMapper;            // null until something is rendered
   vtkSmartPointer<vtkDataObject> Piece;                      // gathered, not yet delivered
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
   vtkDataObject* AttributedData = nullptr;                   // only to be compared
   vtkMTimeType AttributedTime = 0;
   bool Guarded = false, LacksMemory = false; // see WithinMemory()
   rtglyphs::RayTracedPeriodic Periodic;
-  std::shared_ptr<rtg::PeriodicImages> MadeImages; // of all mappers
-  std::string PeriodicProblem;                     // that has been reported
+  std::string PeriodicProblem; // that has been reported
   rtglyphs::RayTracedSection Section;
-  std::shared_ptr<rtg::Section> MadeSection; // of all mappers
-  std::string SectionProblem;                // that has been reported
+  std::string SectionProblem; // that has been reported
 };
 
 #endif

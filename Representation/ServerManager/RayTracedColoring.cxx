@@ -1,10 +1,10 @@
 #include "RayTracedColoring.h"
 
 #include "DirectionColors.h"
+#include "GlyphShapes.h"
 #include "GlyphTensors.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
-#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkSMInputArrayDomain.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
@@ -24,7 +24,7 @@
 namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
-using Shapes = vtkRayTracedGlyphRepresentation;
+using Shapes = rtglyphs::GlyphShapes;
 
 constexpr double fewNegative = 0.1; // fraction of the tensors, as noise makes it
 

@@ -2,6 +2,7 @@
 
 #include "DirectionColors.h"
 #include "RayTracedDefault.h"
+#include "GlyphShapes.h"
 #include "GlyphTensors.h"
 #include "RayTracedSuggestion.h"
 #include "vtkCommand.h"
@@ -9,7 +10,6 @@
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkPVXMLParser.h"
-#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkSMInputArrayDomain.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
@@ -68,11 +68,6 @@ bool Shows(vtkSMProxy* display, const char* representation)
 {
   vtkSMProperty* type = display->GetProperty("Representation");
   return type && strcmp(vtkSMPropertyHelper(type).GetAsString(), representation) == 0;
-}
-
-bool ShowsGlyphs(vtkSMProxy* display)
-{
-  return Shows(display, "Ray Traced Glyphs");
 }
 
 std::string Percent(double fraction)
@@ -323,9 +318,9 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseArray(vtkSMProxy* glyphs, const cha
 }
 
 //----------------------------------------------------------------------------
-vtkSMProxy* rtglyphs::RayTracedGlyphDefaults::GlyphsOf(vtkSMProxy* display)
+bool rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(vtkSMProxy* display)
 {
-  return Display::Representation(display, "RayTracedGlyphRepresentation");
+  return Shows(display, "Ray Traced Glyphs");
 }
 
 //----------------------------------------------------------------------------
@@ -347,7 +342,7 @@ void rtglyphs::RayTracedGlyphDefaults::ColorTubes(vtkSMProxy* display)
 std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display)
 {
   std::vector<std::string> sentences;
-  vtkSMProxy* glyphs = ShowsGlyphs(display) ? GlyphsOf(display) : nullptr;
+  vtkSMProxy* glyphs = ShowsGlyphs(display) ? Display::Representation(display, "RayTracedRepresentation") : nullptr;
   if (!glyphs)
   {
     return sentences;
@@ -364,7 +359,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
     const auto choice = domain->Choose();
     sentences.push_back(what + (" by " + array) + (choice.Name == array ? ": " + choice.Why : ""));
   };
-  using Shapes = vtkRayTracedGlyphRepresentation;
+  using Shapes = rtglyphs::GlyphShapes;
   const int shape = static_cast<int>(number("GlyphShape"));
   const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
     (shape >= Shapes::REYNOLDS && shape <= Shapes::PRINCIPAL_AXES) || shape == Shapes::CONFIDENCE_ELLIPSOID;

@@ -41,10 +41,7 @@ public:
    */
   void Color(vtkSMProxy* glyphs, vtkSMProxy* view) { this->Coloring.Update(glyphs, view); }
 
-  /**
-   * Of a display; null: it has none.
-   */
-  static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
+  static bool ShowsGlyphs(vtkSMProxy* display);
 
   /**
    * Tubes of the display get the colors of their directions: in the window, once, when they are first shown and nothing

@@ -1,5 +1,6 @@
 #include "RayTracedSuggestion.h"
 
+#include "RayTracedGlyphDefaults.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -9,7 +10,7 @@
 
 namespace
 {
-// Used while FromData is on, and Switch where there is one; a second element of Guess is Limit's.
+// Used while FromData is on, and Switch where there is one, else by glyphs; a second element of Guess is Limit's.
 struct Suggested
 {
   const char *Number, *FromData, *Guess, *Limit, *Switch;
@@ -49,16 +50,16 @@ bool rtglyphs::RayTracedSuggestion::IsTaking()
 void rtglyphs::RayTracedSuggestion::Take(vtkSMProxy* shown)
 {
   vtkSMProxy* display = shown->GetTrueParentProxy();
+  const bool glyphs = RayTracedGlyphDefaults::ShowsGlyphs(display);
   for (const Suggested& suggested : suggestions)
   {
     vtkSMProperty* guess = shown->GetProperty(suggested.Guess);
-    const bool used = !suggested.Switch || vtkSMPropertyHelper(display, suggested.Switch).GetAsInt();
-    if (!guess || !used || !vtkSMPropertyHelper(display, suggested.FromData).GetAsInt())
+    const bool used = suggested.Switch ? vtkSMPropertyHelper(display, suggested.Switch).GetAsInt() != 0 : glyphs;
+    if (!used || !vtkSMPropertyHelper(display, suggested.FromData).GetAsInt())
     {
       continue;
     }
     shown->UpdatePropertyInformation(guess);
-    display->GetProperty(suggested.Guess)->Copy(guess); // where another of its representations exposes it
     const vtkSMPropertyHelper found(guess);
     if (found.GetAsDouble() > 0.0)
     {
@@ -72,8 +73,9 @@ void rtglyphs::RayTracedSuggestion::Take(vtkSMProxy* shown)
       taking = false;
     }
   }
-  if (vtkSMProperty* found = shown->GetProperty("GlyphDataSizesInfo"))
+  if (glyphs)
   {
+    vtkSMProperty* found = shown->GetProperty("GlyphDataSizesInfo");
     shown->UpdatePropertyInformation(found);
     shown->GetProperty("GlyphDataSizes")->Copy(found);
     shown->UpdateVTKObjects();

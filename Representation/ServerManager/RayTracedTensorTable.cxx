@@ -1,6 +1,7 @@
 #include "RayTracedTensorTable.h"
 
 #include "GlyphTensors.h"
+#include "RayTracedGlyphDefaults.h"
 #include "vtkNew.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkSMProperty.h"
@@ -27,8 +28,9 @@ std::string NumberOf(vtkSMProxy* glyphs)
   const char* array =
     vtkSMPropertyHelper(glyphs, shape == 12 ? "GlyphHarmonicsArray" : "GlyphTensorArray").GetAsString();
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
-  const bool shown =
-    local && local->GetVisibility() && number && !directions && array && array[0] && strcmp(array, "None") != 0;
+  const bool shown = local && local->GetVisibility() &&
+    rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && array &&
+    array[0] && strcmp(array, "None") != 0;
   return shown ? std::string(array) + " " + coloring.GetAsString() : std::string();
 }
 }

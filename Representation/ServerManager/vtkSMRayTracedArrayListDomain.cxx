@@ -8,7 +8,7 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMInputArrayDomain.h"
-#include "vtkRayTracedGlyphRepresentation.h"
+#include "GlyphShapes.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -215,7 +215,7 @@ Choice vtkSMRayTracedArrayListDomain::Choose()
 // Shapes that 3D Glyphs lacks: it has the same property, and takes no quaternions and matrices beside directions.
 bool vtkSMRayTracedArrayListDomain::IsBody(vtkSMProxy* glyphs)
 {
-  using Shapes = vtkRayTracedGlyphRepresentation;
+  using Shapes = rtglyphs::GlyphShapes;
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
   return shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
 }

@@ -86,10 +86,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->TensorTable.Follow(name);
     rtglyphs::RayTracedDefault::Follow(this, name);
-    if (this->GetProperty("GlyphShape"))
-    {
-      this->GlyphDefaults.Follow(this, name);
-    }
+    this->GlyphDefaults.Follow(this, name);
   }
 }
 
@@ -98,13 +95,11 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
 // on all processes, when the selection changes.
 void vtkSMRayTracedRepresentationProxy::TakeSelection()
 {
-  vtkSMProperty* selected = this->GetProperty("SelectedData");
   const vtkSMPropertyHelper input(this, "Input");
-  auto* source = selected ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
-  if (source)
+  if (auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()))
   {
     source->CreateSelectionProxies();
-    vtkSMPropertyHelper(selected).Set(source->GetSelectionOutput(input.GetOutputPort()));
+    vtkSMPropertyHelper(this, "SelectedData").Set(source->GetSelectionOutput(input.GetOutputPort()));
   }
 }
 
@@ -113,8 +108,7 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
 {
   this->Superclass::AddConsumer(property, consumer);
   vtkSMProxy* display = this->GetTrueParentProxy();
-  const bool first = display->GetProperty("RenderStatistics") == this->GetProperty("RenderStatistics");
-  if (!first || !vtkSMRenderViewProxy::SafeDownCast(consumer) || (this->View && this->View->GetView() == consumer))
+  if (!vtkSMRenderViewProxy::SafeDownCast(consumer) || (this->View && this->View->GetView() == consumer))
   {
     return;
   }
@@ -147,8 +141,9 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
   {
     const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
     vtkSMProxy* display = this->GetTrueParentProxy();
+    const bool glyphs = rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(display);
     bool renewed = rtglyphs::RayTracedDefault::Renew(display, time != this->Time);
-    if (this->GetProperty("GlyphShape"))
+    if (glyphs)
     {
       renewed |= this->GlyphDefaults.Renew(this, time != this->Time);
     }
@@ -159,19 +154,11 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       vtkSMViewProxy::SafeDownCast(view)->Update();
     }
     rtglyphs::RayTracedSuggestion::Take(this);
-    // The first of a display's representations has its defaults.
-    if (auto* first =
-          vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display)))
-    {
-      first->GlyphDefaults.ColorTubes(display);
-    }
-    if (this->GetProperty("GlyphShape"))
+    this->GlyphDefaults.ColorTubes(display);
+    if (glyphs)
     {
       this->GlyphDefaults.Color(this, view);
     }
   }
-  if (this->GetProperty("GlyphTensorLookupTable"))
-  {
-    this->TensorTable.Update(this, view);
-  }
+  this->TensorTable.Update(this, view);
 }

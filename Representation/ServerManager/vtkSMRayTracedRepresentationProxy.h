@@ -28,7 +28,7 @@ public:
   void ViewUpdated(vtkSMProxy* view) override;
 
   /**
-   * The owner of the view's settings, kept by the first of a display's representations; null: the display is in none.
+   * The owner of the view's settings; null: the display is in none.
    */
   vtkSMRayTracedViewProxy* GetView();
 

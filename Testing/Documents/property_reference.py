@@ -38,11 +38,25 @@ def definitions(name):
     return properties, list(groups.items())
 
 
-def of_representations():
-    """Properties by name of all representations, of glyphs, of surfaces, of tubes, and of the view's image."""
-    common, directions, glyphs, surface, tubes, image = (
-        definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Directions", "Glyphs", "Surface", "Tubes", "Image"))
-    return common, {**glyphs, **directions}, surface, {**tubes, **directions}, image
+def properties():
+    """Those of ray-traced displays by name, and those of the view's image."""
+    common, glyphs, image = (definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Glyphs", "Image"))
+    return {**common, **glyphs}, image
+
+
+def contents():
+    """Names of properties -> the representations that the panel shows them for; the others are for all."""
+    root = xml.etree.ElementTree.parse(os.path.join(FOLDER, "RayTracedGlyphs.xml")).getroot()
+    shown = {}
+    for group in root.iter("PropertyGroup"):
+        of_group = {hint.get("value") for hint in group.iter("PropertyWidgetDecorator") if hint.get("property") == "Representation"}
+        for entry in group.findall("Property"):
+            shown[entry.get("name")] = of_group
+    for name, entry in properties()[0].items():
+        own = {hint.get("value") for hint in entry.findall("Hints/PropertyWidgetDecorator") if hint.get("property") == "Representation" and hint.get("value")}
+        if own:
+            shown[name] = own
+    return shown
 
 
 def words(entry):
@@ -100,14 +114,13 @@ def row(name, entry):
 
 def sections():
     """(title, [(name that scripts know, XML element)]): the panel's groups in their order, then the rest."""
-    common, glyphs, surface, tubes, image = of_representations()
-    known = {**common, **surface, **tubes, **glyphs, **image}
-    (own, *shared), of_tubes = definitions("RayTracedGlyphs.xml")[1], definitions("RayTracedTubes.xml")[1]
-    groups = [own] + of_tubes + shared + definitions("RayTracedImage.xml")[1]
-    shown = {name for _, names in groups for name, _ in names}
-    information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in shown]
+    displays, image = properties()
+    known = {**displays, **image}
+    groups = definitions("RayTracedGlyphs.xml")[1] + definitions("RayTracedImage.xml")[1]
+    grouped = {name for _, names in groups for name, _ in names}
+    information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in grouped]
     rest = [name for name, entry in known.items()
-            if name not in shown and name not in information and entry.get("is_internal") != "1" and name != "Input"]
+            if name not in grouped and name not in information and entry.get("is_internal") != "1" and name != "Input"]
     groups = groups + [("Information", [(name, None) for name in information]), ("Selection", [(name, None) for name in rest])]
     return [(title, [(exposed or name, known[name]) for name, exposed in names]) for title, names in groups]
 

@@ -456,8 +456,8 @@ ELSEWHERE = {"Color": "SelectionColor in selection_seen.py", "TrailSteps": "trai
 
 def exposed():
     """Property -> (representations that have it, its XML element)."""
-    common, of_glyphs, of_surfaces, of_tubes, image = property_reference.of_representations()
-    return {name: ({kind for kind, own in ((GLYPHS, of_glyphs), (SURFACE, of_surfaces), (TUBES, of_tubes)) if entry.get("name") in {**common, **image, **own}}, entry)
+    contents = property_reference.contents()
+    return {name: ({GLYPHS, SURFACE, TUBES} & contents.get(entry.get("name"), {GLYPHS, SURFACE, TUBES}), entry)
             for _, entries in property_reference.sections() for name, entry in entries if name not in ELSEWHERE}
 
 
@@ -471,7 +471,7 @@ def inherited():
 def completeness(checks):
     """Each property of the plugin has a row for each of its representations, each row a property. What holds for a view is the same for all of its displays,
     which ViewSettings tests: one representation is enough."""
-    image = property_reference.of_representations()[-1]
+    image = property_reference.properties()[-1]
     known = {name: {GLYPHS} if name in image else kinds for name, (kinds, _) in exposed().items()}
     for name, kinds in known.items():
         for kind in sorted(kinds):

@@ -68,7 +68,7 @@ def main():
         shown = session.glyphs(points, view, **{"Orient": 0, "ScaleFactor": 0.2, **state})
         pv.Render(view)
         manager = pv.servermanager.ProxyManager().SMProxyManager
-        prototypes = [manager.GetPrototypeProxy("representations", "RayTracedGlyphRepresentation"),
+        prototypes = [manager.GetPrototypeProxy("representations", "RayTracedRepresentation"),
                       manager.GetPrototypeProxy("internal_representations", "RayTracedImage")]
         for name in sorted(shown.ListProperties()):
             inner = prototypes[0].GetProperty(name) or prototypes[1].GetProperty(name)

@@ -13,8 +13,7 @@ import session
 from checks import Checks
 
 #: proxies that this plugin adds to all displays
-OURS = (("representations", "RayTracedGlyphRepresentation"), ("representations", "RayTracedSurfaceRepresentation"),
-        ("representations", "RayTracedTubeRepresentation"), ("internal_representations", "RayTracedImage"))
+OURS = (("representations", "RayTracedRepresentation"), ("internal_representations", "RayTracedImage"))
 
 
 #: proxies, whose sources belong to the display, and a command

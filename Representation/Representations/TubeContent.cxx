@@ -1,27 +1,14 @@
-#include "vtkRayTracedTubeRepresentation.h"
+#include "TubeContent.h"
 
 #include "RayTracedSurfaceGatherer.h"
 #include "RayTracedTubeBuilder.h"
-#include "vtkCellArray.h"
-#include "vtkInformation.h"
-#include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
-#include "vtkRayTracedActors.h"
 #include "vtkRayTracedTubeMapper.h"
 
 #include <cmath>
 
-vtkStandardNewMacro(vtkRayTracedTubeRepresentation);
-
 //----------------------------------------------------------------------------
-vtkRayTracedTubeRepresentation::vtkRayTracedTubeRepresentation()
-  : vtkRayTracedSelectableRepresentation(2)
-{
-}
-
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&)
+vtkSmartPointer<vtkPolyData> rtglyphs::TubeContent::Gather(
+  vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&) const
 {
   rtglyphs::RayTracedSurfaceGatherer::Settings settings;
   settings.WholeExtent = wholeExtent;
@@ -30,19 +17,12 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
 }
 
 //----------------------------------------------------------------------------
-// Those of balls at the lines' points, whose hulls the tubes are.
-const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
-{
-  double unitSize = 1.0;
-  return this->GetBoundsOf(lines, { this->GetSizes(lines, unitSize) });
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphSettings vtkRayTracedTubeRepresentation::GetSizes(vtkPolyData* lines, double&)
+// Balls at the lines' points, whose hulls the tubes are.
+rtglyphs::GlyphSettings rtglyphs::TubeContent::GetSizes(vtkPolyData* lines, double&)
 {
   rtglyphs::GlyphSettings settings;
   settings.ScaleFactor = 2.0 * std::abs(this->Radius);
-  settings.Motion = this->GetMotion();
+  settings.Motion = this->Common.Time.GetMotion();
   bool ofCells = false;
   rtglyphs::RayTracedTubeBuilder::Settings tubes;
   tubes.RadiusArray = this->RadiusArray;
@@ -63,7 +43,7 @@ rtglyphs::GlyphSettings vtkRayTracedTubeRepresentation::GetSizes(vtkPolyData* li
 
 //----------------------------------------------------------------------------
 // Called at each render.
-double vtkRayTracedTubeRepresentation::LargestOf(vtkDataArray* radii)
+double rtglyphs::TubeContent::LargestOf(vtkDataArray* radii)
 {
   if (this->Radii != radii || this->RadiiTime != radii->GetMTime())
   {
@@ -76,23 +56,23 @@ double vtkRayTracedTubeRepresentation::LargestOf(vtkDataArray* radii)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedTubeRepresentation::MakeMapper()
+vtkSmartPointer<vtkRayTracedMapper> rtglyphs::TubeContent::MakeMapper() const
 {
   return vtkSmartPointer<vtkRayTracedTubeMapper>::New();
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bool, bool)
+void rtglyphs::TubeContent::Configure(const Frame& frame)
 {
   rtglyphs::RayTracedTubeBuilder::Settings settings;
   settings.Radius = this->Radius;
   settings.RadiusArray = this->RadiusArray;
   settings.FlatEnds = this->FlatEnds;
-  settings.Joined = this->NeedsOrderedCompositing();
-  settings.Motion = this->GetMotion();
-  auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->GetMapper());
+  settings.Joined = frame.Translucent;
+  settings.Motion = this->Common.Time.GetMotion();
+  auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->Common.Parts.Mapper.Get());
   tubes->SetSettings(settings);
-  tubes->SetDirectionColoring(this->DirectionColoring);
-  this->Key->SetColoring(this->DirectionColoring);
-  tubes->SetSelectionColor(this->GetSelectionColor());
+  tubes->SetDirectionColoring(this->Common.DirectionColoring);
+  this->Common.Key->SetColoring(this->Common.DirectionColoring);
+  tubes->SetSelectionColor(this->Common.SelectionColor);
 }

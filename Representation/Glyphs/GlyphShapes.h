@@ -1,0 +1,43 @@
+/**
+ * @file    GlyphShapes.h
+ * @brief   values of the property GlyphShape
+ *
+ * GLYPH_TYPE: what the property GlyphType is, exactly where a shape of the kernels is that (GlyphSource), else its
+ * polygons.
+ */
+#ifndef GlyphShapes_h
+#define GlyphShapes_h
+
+namespace rtglyphs
+{
+
+struct GlyphShapes
+{
+  enum Values
+  {
+    GLYPH_TYPE = 0,
+    SUPERQUADRIC = 5,
+    TENSOR_ELLIPSOID = 6,
+    TENSOR_SUPERQUADRIC = 7,
+    SIGNED_TENSOR_SUPERQUADRIC = 8,
+    CAPSULE = 10,
+    NESTED_SUPERQUADRIC = 11,
+    SPHERICAL_HARMONICS = 12,
+    REYNOLDS = 13,
+    FOURTH_ORDER_TENSOR = 14,
+    PRINCIPAL_AXES = 15, // of tensors
+    SPLIT_VECTOR = 16,
+    UNCERTAIN_VECTOR = 17,    // with tensors as covariances
+    CONFIDENCE_ELLIPSOID = 18 // of tensors as covariances
+  };
+
+  static bool IsKnown(int shape)
+  {
+    return shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
+      (shape >= CAPSULE && shape <= CONFIDENCE_ELLIPSOID);
+  }
+};
+
+} // namespace rtglyphs
+
+#endif

@@ -1,0 +1,431 @@
+#include "GlyphContent.h"
+
+#include "Finite.h"
+#include "GlyphPointGatherer.h"
+#include "GlyphSample.h"
+#include "RayTracedRanks.h"
+#include "GlyphScaleGuess.h"
+#include "GlyphSource.h"
+#include "GlyphTuples.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVView.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedActors.h"
+#include "vtkRayTracedGlyphMapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using rtglyphs::GlyphShapes;
+
+namespace
+{
+constexpr double ellipsoidOpacity = 0.4; // of uncertain vectors, whose heads are seen through it
+}
+
+//****************************************************************************
+// The data side
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::GatherMeshes(vtkDataObject* source, vtkAlgorithm* from)
+{
+  this->Meshes.Gather(source, this->SourceIndexing && this->UseSourceTableTree);
+  if (source && this->Meshes.GetMesh(0))
+  {
+    rtglyphs::GlyphSource(from).StoreIn(this->Meshes.GetMesh(0));
+  }
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> rtglyphs::GlyphContent::Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+  const rtglyphs::RayTracedParallel::Progress& progress) const
+{
+  rtglyphs::GlyphPointGatherer::Options options;
+  options.CellCenters = this->Cells;
+  options.IsBlock = isBlock;
+  options.WholeExtent = wholeExtent;
+  options.Progress = progress;
+  return rtglyphs::GlyphPointGatherer::Gather(data, options);
+}
+
+//----------------------------------------------------------------------------
+std::vector<std::string> rtglyphs::GlyphContent::Arrays() const
+{
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  return { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray, settings.Tensors.Array,
+    settings.Forms.Array };
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::Deliver(vtkInformation* info, vtkPVDataRepresentation* representation, bool lod)
+{
+  if (lod)
+  {
+    vtkPVRenderView::SetPieceLOD(info, representation, this->Meshes.GetPiece(), 0, 1);
+  }
+  else
+  {
+    vtkPVView::SetPiece(info, representation, this->Meshes.GetPiece(), 0, 1);
+    // Cut by the plane between two ranks, points that lie in it would go to neither.
+    vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(info, representation);
+    vtkPolyData* points = this->Common.Blocks.GetPoints();
+    this->UpdateTensorRange(points);
+    this->UpdateScaleGuess(points, representation->GetUpdateTime());
+    this->CountPointsOfAllRanks(points);
+    this->UpdateDataSizes(points);
+  }
+}
+
+//----------------------------------------------------------------------------
+// On all ranks that have data.
+void rtglyphs::GlyphContent::CountPointsOfAllRanks(vtkPolyData* points)
+{
+  std::vector<double> count{ points ? static_cast<double>(points->GetNumberOfPoints()) : 0.0 };
+  if (this->Settings.Mask.On)
+  {
+    rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
+  }
+  this->Settings.Mask.PointsOfAllRanks = static_cast<vtkIdType>(count[0]);
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphContent::IsTranslucent() const
+{
+  const bool table = this->TensorTable && this->Settings.HasNumberRange() && !this->TensorTable->IsOpaque();
+  return table || this->FadesTrails() || this->GlyphShape == GlyphShapes::UNCERTAIN_VECTOR ||
+    !rtglyphs::RayTracedArrays::IsNone(this->Settings.OpacityArray);
+}
+
+//----------------------------------------------------------------------------
+std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPolyData* points)
+{
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
+  settings.TrailSteps = this->Common.Time.GetTrailSteps();
+  std::vector<rtglyphs::GlyphSettings> all{ settings };
+  if (settings.Shape == rtg::Shape::Mesh)
+  {
+    all.clear();
+    for (const auto& corners : this->Meshes.GetExtents())
+    {
+      all.push_back(settings);
+      all.back().Mesh = corners;
+    }
+  }
+  else if (const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings))
+  {
+    all.push_back(*beside);
+  }
+  return all;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::UpdateTensorRange(vtkPolyData* points)
+{
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  if (settings.HasNumberRange())
+  {
+    this->TensorRange = this->NumberRange.Get(points, settings, true);
+  }
+  this->NegativeTensors = this->NumberRange.NegativeFraction(points, settings);
+}
+
+//----------------------------------------------------------------------------
+// On all ranks that have data; before the first use of the glyphs' size.
+void rtglyphs::GlyphContent::UpdateScaleGuess(vtkPolyData* points, double time)
+{
+  if (!this->ScaleFactorFromData || !this->Common.HasData)
+  {
+    return;
+  }
+  double unitSize = 1.0;
+  const rtglyphs::GlyphSettings settings = this->GetSizes(points, unitSize);
+  const rtglyphs::GlyphKeptGuess::Result& found =
+    rtglyphs::GlyphScaleGuess::Update(this->Guess, points, settings, unitSize, time);
+  this->ScaleGuess = { found.Value, found.Limit, found.Limited };
+}
+
+//----------------------------------------------------------------------------
+// On all ranks that have data; when their glyphs have been chosen.
+void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
+{
+  if (!this->Common.HasData)
+  {
+    return;
+  }
+  const auto& extents = this->Meshes.GetExtents();
+  glm::dvec3 sides(0.0);
+  if (!extents.empty() && !extents.front()->positions.empty())
+  {
+    sides = extents.front()->positions.back() - extents.front()->positions.front();
+  }
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const double highScale = this->HighScale.Get(points, settings, this->Common.Blocks.GetHidden());
+  double largest = 0.0;
+  if (this->LegendStyle.On)
+  {
+    settings.Sizing.Split = false; // the magnitudes themselves
+    rtglyphs::RayTracedRanks::Together(
+      [&]()
+      {
+        const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
+        largest = magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end());
+      });
+    largest = rtglyphs::RayTracedRanks::Largest(largest);
+  }
+  this->DataSizes = { highScale, sides.x, sides.y, largest };
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphContent::GetSizes(vtkPolyData*, double& unitSize)
+{
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const glm::dvec3& sides = settings.UnitSize;
+  unitSize = settings.Shape == rtg::Shape::Mesh ? this->Meshes.GetLargestSide()
+    : settings.Shape == rtg::Shape::Capsule     ? 2.0
+                                                : std::max({ sides.x, sides.y, sides.z });
+  return settings;
+}
+
+//****************************************************************************
+// The render side
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkRayTracedMapper> rtglyphs::GlyphContent::MakeMapper() const
+{
+  return vtkSmartPointer<vtkRayTracedGlyphMapper>::New();
+}
+
+//----------------------------------------------------------------------------
+// Glyphs that go with others: arrows of the antisymmetric parts of tensors, ellipsoids of uncertain vectors.
+std::optional<rtglyphs::GlyphSettings>
+rtglyphs::GlyphContent::Beside(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
+{
+  if (this->GlyphShape == GlyphShapes::UNCERTAIN_VECTOR)
+  {
+    return settings.ConfidenceAtTips();
+  }
+  vtkDataArray* tensors =
+    this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
+  const bool axes = tensors && tensors->GetNumberOfComponents() == 9 && !settings.Tensors.Covariances;
+  return axes ? std::optional(settings.AxesOfTensors()) : std::nullopt;
+}
+
+//----------------------------------------------------------------------------
+// Mesh 0 of a table is drawn by the main mapper, mesh i by layer i - 1. What stands beside the glyphs and
+// trails are layers, too.
+void rtglyphs::GlyphContent::Configure(const Frame& frame)
+{
+  // A selection may come between an update and the delivery.
+  if (vtkDataObject* form = frame.LOD ? vtkPVView::GetDeliveredPieceLOD(frame.Info, frame.Representation, 1)
+                                      : vtkPVView::GetDeliveredPiece(frame.Info, frame.Representation, 1))
+  {
+    this->Meshes.Take(form);
+  }
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const bool usesTable = this->Meshes.GetNumberOfMeshes() > 1 && settings.Shape == rtg::Shape::Mesh;
+  settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfMeshes()) : 1;
+  auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->Common.Parts.Mapper.Get());
+  main->SetSettings(settings, this->Meshes.GetMesh(0));
+  main->SetTensorTable(this->TensorTable);
+  if (settings.HasNumberRange() &&
+    (!this->TensorTable || settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES))
+  {
+    main->SetTensorRange(this->ShownRange.Get(frame.Points, settings, frame.Collective));
+  }
+  main->SetSelectionColor(this->Common.SelectionColor);
+  this->UpdateLegend(settings);
+  this->Common.Key->SetColoring(settings.DirectionColoring);
+
+  const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(frame.Points, settings);
+  const bool trails = this->HasTrails();
+  const int tableLayers = settings.TableSize - 1, layers = tableLayers + (beside ? 1 : 0) + (trails ? 1 : 0);
+  this->ResizeLayers(frame.Representation, frame.View, layers);
+  for (int i = 0; i < layers; ++i)
+  {
+    this->Layers[i].Follow(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
+  }
+  if (trails)
+  {
+    vtkRayTracedGlyphMapper* mapper = this->Layers[layers - 1].Mapper;
+    mapper->SetSettings(settings.Trails(this->Common.Time.GetTrailSteps(), frame.Translucent), this->Meshes.GetMesh(0));
+    mapper->SetTrailFading(this->TrailFading);
+    mapper->SetTensorTable(this->TensorTable);
+    mapper->SetTensorRange(main->GetTensorRange());
+  }
+  for (int entry = 1; entry < settings.TableSize; ++entry)
+  {
+    settings.TableEntry = entry;
+    this->Layers[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetMesh(entry));
+  }
+  if (beside)
+  {
+    rtglyphs::GlyphLayers::Layer& layer = this->Layers[tableLayers];
+    layer.Mapper->SetSettings(*beside, nullptr);
+    vtkProperty* property = layer.Actor->GetProperty();
+    if (beside->Tensors.Axes)
+    {
+      property->SetAmbientColor(this->TensorAxisColor.data());
+      property->SetDiffuseColor(this->TensorAxisColor.data());
+    }
+    else
+    {
+      property->SetOpacity(ellipsoidOpacity * property->GetOpacity());
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& settings)
+{
+  this->Legend->SetStyle(this->LegendStyle);
+  if (!this->LegendStyle.On)
+  {
+    return;
+  }
+  const std::string scales =
+    settings.Scaling && !rtglyphs::RayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
+  const std::string name = settings.Tensors.On  ? settings.Tensors.Array
+    : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
+                                                : scales;
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Common.Parts.Actor->GetMatrix(matrix);
+  const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
+  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] }, this->DataSizes[3]);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::Show(bool visible)
+{
+  this->RayTracedContent::Show(visible);
+  this->Legend->SetVisibility(visible);
+  this->Layers.SetVisibility(visible);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::ResizeLayers(
+  vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size)
+{
+  rtglyphs::RayTracedParts& parts = this->Common.Parts;
+  this->Layers.Resize(
+    size,
+    [=, &parts](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+    { parts.Add(representation, view, actor, mapper); },
+    [=, &parts](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+    { parts.Remove(representation, view, actor, mapper); });
+}
+
+//****************************************************************************
+// Properties
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+// Properties that determine each other are combined here, in any order in which they were set.
+rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
+{
+  rtglyphs::GlyphSettings settings = this->Settings.InRange();
+  settings.Motion = this->Common.Time.GetMotion();
+  settings.HighScale = this->DataSizes[0];
+  settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
+  settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? rtglyphs::GlyphSettings::COMPONENTS
+                                                                                : rtglyphs::GlyphSettings::MAGNITUDE;
+  if (!this->Scaling)
+  {
+    settings.ScaleFactor = 1.0; // 3D Glyphs then have their source's own size
+  }
+  else if (this->ScaleFactorFromData)
+  {
+    const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs
+    settings.ScaleFactor = own ? this->ScaleGuess[0] : settings.ScaleFactor;
+    const double limit = own ? this->ScaleGuess[1] : this->SizeLimit;
+    double& most = settings.Sizing.Most;
+    most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
+  }
+  // Between the process that has the source and one that renders it is part of what is delivered.
+  const rtglyphs::GlyphSource source(this->Meshes.GetMesh(0));
+  settings.Arrow = source.Arrow;
+  settings.Arrow.fixedHeads = this->FixedHeads;
+  settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
+  settings.Tensors.On =
+    this->GlyphShape >= GlyphShapes::TENSOR_ELLIPSOID && this->GlyphShape <= GlyphShapes::SIGNED_TENSOR_SUPERQUADRIC;
+  const bool polynomial =
+    this->GlyphShape >= GlyphShapes::SPHERICAL_HARMONICS && this->GlyphShape <= GlyphShapes::FOURTH_ORDER_TENSOR;
+  if (!polynomial && settings.Tensors.Coloring == rtglyphs::GlyphTensors::RADIUS)
+  {
+    settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
+  }
+  if (this->TensorTable && settings.Tensors.Coloring == rtglyphs::GlyphTensors::SIGN)
+  {
+    const double* range = this->TensorTable->GetRange();
+    this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
+    this->TensorTable->GetColor(range[0], settings.Tensors.NegativeColor.data());
+  }
+  settings.DirectionColoring = this->Common.DirectionColoring;
+  if (this->Common.DirectionColoring != rtglyphs::DirectionColors::NONE)
+  {
+    settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
+    if (settings.Tensors.On || polynomial || this->GlyphShape == GlyphShapes::PRINCIPAL_AXES ||
+      this->GlyphShape == GlyphShapes::CONFIDENCE_ELLIPSOID)
+    {
+      settings.DirectionColoring = rtglyphs::DirectionColors::AXES;
+    }
+  }
+  if (this->GlyphShape == GlyphShapes::SPLIT_VECTOR)
+  {
+    return settings.SplitVectors();
+  }
+  if (this->GlyphShape == GlyphShapes::UNCERTAIN_VECTOR)
+  {
+    return settings.Vectors();
+  }
+  if (this->GlyphShape == GlyphShapes::CONFIDENCE_ELLIPSOID)
+  {
+    return settings.ConfidenceEllipsoids();
+  }
+  if (this->GlyphShape == GlyphShapes::PRINCIPAL_AXES)
+  {
+    return settings.PrincipalAxes();
+  }
+  if (settings.Tensors.On)
+  {
+    settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - GlyphShapes::TENSOR_ELLIPSOID);
+    settings.Shape =
+      this->GlyphShape == GlyphShapes::TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
+  }
+  else if (polynomial)
+  {
+    settings.Shape = rtg::Shape::Polynomial;
+    settings.Forms.On = true;
+    settings.Forms.Kind = this->GlyphShape - GlyphShapes::SPHERICAL_HARMONICS;
+    settings.Forms.Array =
+      this->GlyphShape == GlyphShapes::SPHERICAL_HARMONICS ? this->HarmonicsArray : settings.Tensors.Array;
+    settings.Forms.Layout = settings.Tensors.Layout;
+    settings.Forms.Coloring = settings.Tensors.Coloring;
+  }
+  else
+  {
+    settings.Shape = this->GlyphShape == GlyphShapes::CAPSULE ? rtg::Shape::Capsule
+      : this->GlyphShape == GlyphShapes::SUPERQUADRIC         ? rtg::Shape::Superquadric
+      : this->GlyphShape == GlyphShapes::NESTED_SUPERQUADRIC  ? rtg::Shape::NestedSuperquadric
+      : this->Meshes.GetNumberOfMeshes() > 1                  ? rtg::Shape::Mesh
+                                                              : source.Shape;
+    settings.UnitSize = this->GlyphShape == GlyphShapes::GLYPH_TYPE ? source.UnitSize : settings.UnitSize;
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::SetScaleFactorFromData(bool on)
+{
+  this->ScaleFactorFromData = on;
+  this->Guess.Forget();
+  this->ScaleGuess = {};
+}

@@ -1,0 +1,114 @@
+/**
+ * @class   GlyphContent
+ * @brief   the points or cells of any data set as glyphs
+ *
+ * @sa vtkGlyph3DRepresentation, whose scale and orientation arrays have the same meaning here.
+ */
+#ifndef GlyphContent_h
+#define GlyphContent_h
+
+#include "GlyphHighScale.h"
+#include "GlyphLayers.h"
+#include "GlyphMeshes.h"
+#include "GlyphSettings.h"
+#include "GlyphShapes.h"
+#include "GlyphTensorRange.h"
+#include "RayTracedContent.h"
+#include "vtkGlyphLegend.h"
+#include "vtkScalarsToColors.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace rtglyphs
+{
+
+class GlyphContent final : public RayTracedContent
+{
+public:
+  using RayTracedContent::RayTracedContent;
+
+  ///@{
+  /**
+   * As the properties say; Settings but for what MakeSettings() adds. DataSizes: GlyphHighScale, width and height of
+   * the mesh of mesh glyphs, the largest magnitude; numbers are 0 where there is none.
+   */
+  GlyphSettings Settings;
+  int GlyphShape = GlyphShapes::GLYPH_TYPE;
+  bool Cells = false; // glyphs stand at their centers, not at points
+  bool Scaling = false;
+  int ScaleMode = 0;
+  bool SourceIndexing = false, UseSourceTableTree = false;
+  bool FixedHeads = false;
+  vtkGlyphLegend::Style LegendStyle;
+  double SizeLimit = 0.0;
+  std::array<double, 4> DataSizes{};
+  std::string HarmonicsArray;
+  double TrailFading = 0.0;
+  bool TensorAxis = false;
+  std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
+  vtkSmartPointer<vtkScalarsToColors> TensorTable;
+  ///@}
+
+  ///@{
+  /**
+   * What the data have, for information properties. The guess is that of GlyphScaleGuess: factor, limit, fraction of
+   * the glyphs that have the limit.
+   */
+  std::array<double, 3> ScaleGuess{};
+  std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
+  double NegativeTensors = 0.0;
+  ///@}
+
+  void SetScaleFactorFromData(bool on);
+
+  /**
+   * The mesh, or table of meshes, of GLYPH_TYPE, which that filter has made; may be null.
+   */
+  void GatherMeshes(vtkDataObject* source, vtkAlgorithm* from);
+
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const RayTracedParallel::Progress& progress) const override;
+  std::array<int, 3> GatherOptions() const override { return { 0, this->Cells, 0 }; }
+  bool HasTrails() const override { return this->Common.Time.GetTrailSteps() > 0; }
+  std::vector<std::string> Arrays() const override;
+  GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
+  std::vector<GlyphSettings> GetAllSizes(vtkPolyData* points) override;
+  void Deliver(vtkInformation* info, vtkPVDataRepresentation* representation, bool lod) override;
+  bool IsTranslucent() const override;
+
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
+  void Configure(const Frame& frame) override;
+  void Show(bool visible) override;
+  void SetLayerBounds(const double bounds[6]) override { this->Layers.SetKnownBounds(bounds); }
+  void RemoveLayers(vtkPVDataRepresentation* representation, vtkPVRenderView* view) override
+  {
+    this->ResizeLayers(representation, view, 0);
+  }
+  vtkRayTracedLegend* GetLegend() { return this->Legend; }
+
+private:
+  GlyphSettings MakeSettings() const;
+  bool FadesTrails() const { return this->HasTrails() && this->TrailFading > 0.0; }
+  std::optional<GlyphSettings> Beside(vtkPolyData* points, const GlyphSettings& settings) const;
+  void UpdateTensorRange(vtkPolyData* points);
+  void UpdateScaleGuess(vtkPolyData* points, double time);
+  void UpdateDataSizes(vtkPolyData* points);
+  void CountPointsOfAllRanks(vtkPolyData* points);
+  void UpdateLegend(const GlyphSettings& settings);
+  void ResizeLayers(vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size);
+
+  vtkNew<vtkGlyphLegend> Legend;
+  bool ScaleFactorFromData = false;
+  GlyphKeptGuess Guess;
+  GlyphHighScale HighScale;
+  GlyphTensorRange NumberRange; // of the data
+  GlyphTensorRange ShownRange;  // of what is delivered to be rendered
+  GlyphMeshes Meshes;
+  GlyphLayers Layers; // what stands beside the glyphs, further meshes of a table
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphContent.h

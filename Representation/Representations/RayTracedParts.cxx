@@ -1,0 +1,69 @@
+#include "RayTracedParts.h"
+
+#include "RayTracedNumbers.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkPVRenderView.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedScene.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedParts::Add(
+  vtkPVDataRepresentation* owner, vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+{
+  actor->SetMapper(mapper);
+  view->GetRenderer()->AddActor(actor);
+  view->RegisterPropForHardwareSelection(owner, actor);
+  mapper->SetBuildProgress(this->Progress);
+  mapper->SetSection(this->Section);
+  mapper->SetImages(this->Images);
+  vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedParts::Remove(
+  vtkPVDataRepresentation* owner, vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+{
+  vtkRayTracedScene::Of(view->GetRenderer())->Remove(mapper);
+  view->UnRegisterPropForHardwareSelection(owner, actor);
+  view->GetRenderer()->RemoveActor(actor);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedParts::Follow(vtkActor* actor, vtkProperty* source, bool visible)
+{
+  using namespace rtglyphs::RayTracedNumbers;
+  vtkProperty* property = this->Actor->GetProperty();
+  property->DeepCopy(source);
+  property->SetOpacity(NumberOr(property->GetOpacity(), 1.0));
+  property->SetAmbient(NumberOr(property->GetAmbient(), 0.0));
+  property->SetDiffuse(NumberOr(property->GetDiffuse(), 1.0));
+  property->SetSpecular(NumberOr(property->GetSpecular(), 0.0));
+  property->SetSpecularPower(NumberOr(property->GetSpecularPower(), 100.0));
+  property->SetMetallic(NumberOr(property->GetMetallic(), 0.0));
+  property->SetRoughness(NumberOr(property->GetRoughness(), 0.5));
+  property->SetCoatStrength(NumberOr(property->GetCoatStrength(), 0.0));
+  property->SetCoatIOR(NumberOr(property->GetCoatIOR(), 2.0));
+  property->SetCoatRoughness(NumberOr(property->GetCoatRoughness(), 0.0));
+  const auto inRange = [](const double* color) { return ColorInRange(color[0], color[1], color[2]); };
+  // VTK 9.6's copy has the diffuse color for the ambient one.
+  property->SetAmbientColor(inRange(source->GetAmbientColor()).data());
+  property->SetDiffuseColor(inRange(property->GetDiffuseColor()).data());
+  property->SetSpecularColor(inRange(property->GetSpecularColor()).data());
+  property->SetCoatColor(inRange(property->GetCoatColor()).data());
+
+  vtkNew<vtkMatrix4x4> matrix;
+  actor->GetMatrix(matrix);
+  const double* elements = matrix->GetData();
+  if (!std::all_of(elements, elements + 16, [](double element) { return std::isfinite(element); }))
+  {
+    matrix->Identity();
+  }
+  this->Actor->SetUserMatrix(matrix);
+  this->Actor->SetPickable(actor->GetPickable());
+  this->Actor->SetVisibility(visible);
+}

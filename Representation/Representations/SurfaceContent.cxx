@@ -1,0 +1,40 @@
+#include "SurfaceContent.h"
+
+#include "RayTracedSurfaceGatherer.h"
+#include "vtkRayTracedSurfaceMapper.h"
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> rtglyphs::SurfaceContent::Gather(
+  vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&) const
+{
+  rtglyphs::RayTracedSurfaceGatherer::Settings settings;
+  settings.WholeExtent = wholeExtent;
+  settings.ComputesNormals = this->Smooth;
+  settings.NonlinearSubdivisionLevel = this->NonlinearSubdivisionLevel;
+  return rtglyphs::RayTracedSurfaceGatherer::Gather(data, settings);
+}
+
+//----------------------------------------------------------------------------
+// Glyphs without size at the surface's points.
+rtglyphs::GlyphSettings rtglyphs::SurfaceContent::GetSizes(vtkPolyData*, double&)
+{
+  rtglyphs::GlyphSettings settings;
+  settings.ScaleFactor = 0.0;
+  settings.Motion = this->Common.Time.GetMotion();
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkRayTracedMapper> rtglyphs::SurfaceContent::MakeMapper() const
+{
+  return vtkSmartPointer<vtkRayTracedSurfaceMapper>::New();
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::SurfaceContent::Configure(const Frame&)
+{
+  vtkRayTracedSurfaceMapper::SurfaceSettings settings;
+  settings.Smooth = this->Smooth;
+  settings.Motion = this->Common.Time.GetMotion();
+  static_cast<vtkRayTracedSurfaceMapper*>(this->Common.Parts.Mapper.Get())->SetSettings(settings);
+}

@@ -1,0 +1,51 @@
+/**
+ * @class   TubeContent
+ * @brief   the lines and poly-lines of any data set as tubes; vertices and polygons are not shown
+ *
+ * @sa RayTracedSurfaceGatherer vtkRayTracedTubeMapper
+ */
+#ifndef TubeContent_h
+#define TubeContent_h
+
+#include "RayTracedContent.h"
+#include "vtkDataArray.h"
+#include "vtkWeakPointer.h"
+
+namespace rtglyphs
+{
+
+class TubeContent final : public RayTracedContent
+{
+public:
+  using RayTracedContent::RayTracedContent;
+
+  ///@{
+  /**
+   * Radius in world units, times the values of an array of points or cells ("None" or empty: none); lines end in discs,
+   * else in half balls.
+   */
+  double Radius = 1.0;
+  std::string RadiusArray;
+  bool FlatEnds = false;
+  ///@}
+
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const RayTracedParallel::Progress& progress) const override;
+  std::array<int, 3> GatherOptions() const override { return { 2, 0, 0 }; }
+  GlyphSettings GetSizes(vtkPolyData* lines, double& unitSize) override;
+
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
+  void Configure(const Frame& frame) override;
+
+private:
+  double LargestOf(vtkDataArray* radii);
+
+  vtkWeakPointer<vtkDataArray> Radii; // of cells, as they were at that time; their largest one
+  vtkMTimeType RadiiTime = 0;
+  double LargestRadius = 0.0;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: TubeContent.h
