@@ -24,6 +24,8 @@
 #include <string>
 
 using rtglyphs::GlyphShapes;
+using namespace rtglyphs::DataSummary;
+namespace DataSummary = rtglyphs::DataSummary;
 
 namespace
 {
@@ -132,9 +134,10 @@ void rtglyphs::GlyphContent::UpdateTensorRange(vtkPolyData* points)
   const rtglyphs::GlyphSettings settings = this->MakeSettings();
   if (settings.HasNumberRange())
   {
-    this->TensorRange = this->NumberRange.Get(points, settings, true);
+    const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
+    std::copy(range.begin(), range.end(), &this->Common.Summary[LEAST_OF_TENSORS]);
   }
-  this->NegativeTensors = this->NumberRange.NegativeFraction(points, settings);
+  this->Common.Summary[NEGATIVE_TENSORS] = this->NumberRange.NegativeFraction(points, settings);
 }
 
 //----------------------------------------------------------------------------
@@ -149,7 +152,10 @@ void rtglyphs::GlyphContent::UpdateScaleGuess(vtkPolyData* points, double time)
   const rtglyphs::GlyphSettings settings = this->GetSizes(points, unitSize);
   const rtglyphs::GlyphKeptGuess::Result& found =
     rtglyphs::GlyphScaleGuess::Update(this->Guess, points, settings, unitSize, time);
-  this->ScaleGuess = { found.Value, found.Limit, found.Limited };
+  DataSummary::Values& summary = this->Common.Summary;
+  summary[SCALE_FACTOR] = found.Value;
+  summary[SIZE_LIMIT] = found.Limit;
+  summary[LIMITED_FRACTION] = found.Limited;
 }
 
 //----------------------------------------------------------------------------
@@ -180,7 +186,11 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
       });
     largest = rtglyphs::RayTracedRanks::Largest(largest);
   }
-  this->DataSizes = { highScale, sides.x, sides.y, largest };
+  DataSummary::Values& summary = this->Common.Summary;
+  summary[HIGH_SCALE] = highScale;
+  summary[MESH_WIDTH] = sides.x;
+  summary[MESH_HEIGHT] = sides.y;
+  summary[LARGEST_MAGNITUDE] = largest;
 }
 
 //----------------------------------------------------------------------------
@@ -296,10 +306,12 @@ void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& setting
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
+  const DataSummary::Values& summary = this->Common.Summary;
   vtkNew<vtkMatrix4x4> matrix;
   this->Common.Parts.Actor->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
-  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] }, this->DataSizes[3]);
+  this->Legend->SetGlyphs(
+    settings, scale, name, { summary[MESH_WIDTH], summary[MESH_HEIGHT] }, summary[LARGEST_MAGNITUDE]);
 }
 
 //----------------------------------------------------------------------------
@@ -333,7 +345,8 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
 {
   rtglyphs::GlyphSettings settings = this->Settings.InRange();
   settings.Motion = this->Common.Time.GetMotion();
-  settings.HighScale = this->DataSizes[0];
+  const DataSummary::Values& summary = this->Common.Summary;
+  settings.HighScale = summary[HIGH_SCALE];
   settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
   settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? rtglyphs::GlyphSettings::COMPONENTS
                                                                                 : rtglyphs::GlyphSettings::MAGNITUDE;
@@ -343,9 +356,8 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
   }
   else if (this->ScaleFactorFromData)
   {
-    const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs
-    settings.ScaleFactor = own ? this->ScaleGuess[0] : settings.ScaleFactor;
-    const double limit = own ? this->ScaleGuess[1] : this->SizeLimit;
+    settings.ScaleFactor = summary[SCALE_FACTOR] > 0.0 ? summary[SCALE_FACTOR] : settings.ScaleFactor;
+    const double limit = summary[SIZE_LIMIT];
     double& most = settings.Sizing.Most;
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
@@ -427,5 +439,8 @@ void rtglyphs::GlyphContent::SetScaleFactorFromData(bool on)
 {
   this->ScaleFactorFromData = on;
   this->Guess.Forget();
-  this->ScaleGuess = {};
+  if (this->Common.HasData) // else the client would not send the same again
+  {
+    std::fill_n(&this->Common.Summary[SCALE_FACTOR], LIMITED_FRACTION + 1, 0.0);
+  }
 }

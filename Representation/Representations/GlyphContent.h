@@ -30,8 +30,7 @@ public:
 
   ///@{
   /**
-   * As the properties say; Settings but for what MakeSettings() adds. DataSizes: GlyphHighScale, width and height of
-   * the mesh of mesh glyphs, the largest magnitude; numbers are 0 where there is none.
+   * As the properties say; Settings but for what MakeSettings() adds.
    */
   GlyphSettings Settings;
   int GlyphShape = GlyphShapes::GLYPH_TYPE;
@@ -41,23 +40,11 @@ public:
   bool SourceIndexing = false, UseSourceTableTree = false;
   bool FixedHeads = false;
   vtkGlyphLegend::Style LegendStyle;
-  double SizeLimit = 0.0;
-  std::array<double, 4> DataSizes{};
   std::string HarmonicsArray;
   double TrailFading = 0.0;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
-  ///@}
-
-  ///@{
-  /**
-   * What the data have, for information properties. The guess is that of GlyphScaleGuess: factor, limit, fraction of
-   * the glyphs that have the limit.
-   */
-  std::array<double, 3> ScaleGuess{};
-  std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
-  double NegativeTensors = 0.0;
   ///@}
 
   void SetScaleFactorFromData(bool on);

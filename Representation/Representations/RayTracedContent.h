@@ -7,6 +7,7 @@
 #ifndef RayTracedContent_h
 #define RayTracedContent_h
 
+#include "DataSummary.h"
 #include "GlyphSettings.h"
 #include "RayTracedBlocks.h"
 #include "RayTracedParallel.h"
@@ -35,6 +36,7 @@ struct RayTracedCommon
   RayTracedBlocks Blocks; // of what was last delivered or rendered
   RayTracedParts Parts;
   bool HasData = false; // a process that only renders has none
+  DataSummary::Values Summary = DataSummary::None();
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
   int DirectionColoring = DirectionColors::NONE;
   vtkNew<vtkDirectionLegend> Key; // shows what the content does with DirectionColoring

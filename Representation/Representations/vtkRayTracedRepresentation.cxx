@@ -667,12 +667,19 @@ void vtkRayTracedRepresentation::SetInterpolation(int interpolation)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetGlyphDataSizes(
-  double highScale, double meshWidth, double meshHeight, double largest)
+double* vtkRayTracedRepresentation::GetDataSummary()
 {
+  this->Common.Summary[rtglyphs::DataSummary::SHUTTER_TIME] = this->Common.Time.GetShutterTimeGuess();
+  return this->Common.Summary.data();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetDataSummary(const double numbers[11])
+{
+  static_assert(rtglyphs::DataSummary::SIZE == 11);
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    this->Glyphs.DataSizes = { highScale, meshWidth, meshHeight, largest };
+    std::copy_n(numbers, this->Common.Summary.size(), this->Common.Summary.begin());
   }
 }
 

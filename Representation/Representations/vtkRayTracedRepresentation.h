@@ -76,6 +76,15 @@ public:
 
   ///@{
   /**
+   * Numbers that are found in the data (rtglyphs::DataSummary). Processes that have data use theirs by themselves;
+   * those that only render get them from the client.
+   */
+  double* GetDataSummary() VTK_SIZEHINT(11);
+  void SetDataSummary(const double numbers[11]);
+  ///@}
+
+  ///@{
+  /**
    * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
    * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphStepVelocity, where
    * an array of one component, by default the global ids, identifies points. See GlyphMotion::Settings for
@@ -101,13 +110,6 @@ public:
    * Default is 0.
    */
   void SetTrailSteps(int steps) { this->GatherIf(this->Common.Time.SetTrailSteps(steps)); }
-
-  /**
-   * The shutter time that the data suggest while ShutterTimeFromData is on (default): GlyphShutterGuess's, or with
-   * velocities from the previous step the time between the two. 0: none yet. Processes that have data use it by
-   * themselves; those that only render get it by SetShutterTime().
-   */
-  double GetShutterTimeGuess() { return this->Common.Time.GetShutterTimeGuess(); }
 
   ///@{
   /**
@@ -186,25 +188,6 @@ public:
 
   ///@{
   /**
-   * The result of GlyphScaleGuess, where ScaleFactorFromData is on: factor, limit, fraction of the glyphs that have the
-   * limit. Processes that have data use it by themselves; those that only render get it by SetScaleFactor() and
-   * SetGlyphSizeLimit(), the client being between them.
-   */
-  double* GetScaleFactorGuess() VTK_SIZEHINT(3) { return this->Glyphs.ScaleGuess.data(); }
-  void SetGlyphSizeLimit(double limit) { this->Glyphs.SizeLimit = rtglyphs::RayTracedNumbers::NumberOr(limit, 0.0); }
-  ///@}
-
-  ///@{
-  /**
-   * Values of the data for processes that only render: GlyphHighScale, and width and height of the mesh of mesh
-   * glyphs; numbers are 0 where there is none. The client carries them there.
-   */
-  double* GetGlyphDataSizesInfo() VTK_SIZEHINT(4) { return this->Glyphs.DataSizes.data(); }
-  void SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight, double largest);
-  ///@}
-
-  ///@{
-  /**
    * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
    * its corner and 1. Default is none, a number that fits, white.
    */
@@ -278,17 +261,6 @@ public:
   }
   void SetGlyphHarmonicsScaling(int scaling) { this->Glyphs.Settings.Forms.Each = scaling == 1; }
   ///@}
-
-  /**
-   * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives
-   * none.
-   */
-  double* GetGlyphTensorRange() VTK_SIZEHINT(2) { return this->Glyphs.TensorRange.data(); }
-
-  /**
-   * Information: the fraction of the tensors shown that have a negative eigenvalue.
-   */
-  double GetGlyphNegativeTensors() const { return this->Glyphs.NegativeTensors; }
 
   ///@{
   /**

@@ -1,5 +1,6 @@
 #include "RayTracedColoring.h"
 
+#include "DataSummary.h"
 #include "DirectionColors.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
@@ -63,9 +64,8 @@ int TensorColoring(vtkSMProxy* glyphs, int shape)
   {
     return rtglyphs::GlyphTensors::NONE;
   }
-  vtkSMProperty* negative = glyphs->GetProperty("GlyphNegativeTensors");
-  glyphs->UpdatePropertyInformation(negative);
-  const bool positive = vtkSMPropertyHelper(negative).GetAsDouble() <= fewNegative;
+  const vtkSMPropertyHelper summary(glyphs, "DataSummary");
+  const bool positive = summary.GetAsDouble(rtglyphs::DataSummary::NEGATIVE_TENSORS) <= fewNegative;
   return !positive              ? rtglyphs::GlyphTensors::SIGN
     : shape == Shapes::REYNOLDS ? rtglyphs::GlyphTensors::NONE
                                 : rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;

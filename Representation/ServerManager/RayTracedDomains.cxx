@@ -1,5 +1,6 @@
 #include "RayTracedDomains.h"
 
+#include "DataSummary.h"
 #include "Finite.h"
 #include "GlyphArrayRoles.h"
 #include "vtkClientServerInterpreter.h"
@@ -74,16 +75,16 @@ public:
 };
 
 // Values of ShutterTime: from zero to a few times what the data suggest. Required properties:
-// Guess, an information property whose first element is what the data suggest, and FromData, which says whether that
-// counts. The default is to let it count: the value is computed when the view is next updated. ParaView's
-// panel gives domains of bounds a slider and a reset button.
+// Summary, an information property (DataSummary), and FromData, which says whether what the data suggest counts. The
+// default is to let it count: the value is computed when the view is next updated. ParaView's panel gives domains of
+// bounds a slider and a reset button.
 class ScaleDomain final : public vtkSMBoundsDomain
 {
 public:
   void Update(vtkSMProperty*) override
   {
-    vtkSMProperty* guess = this->GetRequiredProperty("Guess");
-    const double factor = guess ? vtkSMPropertyHelper(guess).GetAsDouble() : 0.0;
+    vtkSMProperty* summary = this->GetRequiredProperty("Summary");
+    const double factor = summary ? vtkSMPropertyHelper(summary).GetAsDouble(rtglyphs::DataSummary::SHUTTER_TIME) : 0.0;
     this->SetEntries(std::vector<vtkEntry>{ vtkEntry(0.0, factor > 0.0 ? 4.0 * factor : 1.0) });
   }
 

@@ -1,5 +1,6 @@
 #include "RayTracedGlyphDefaults.h"
 
+#include "DataSummary.h"
 #include "DirectionColors.h"
 #include "RayTracedDefault.h"
 #include "GlyphShapes.h"
@@ -347,6 +348,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   {
     return sentences;
   }
+  const vtkSMPropertyHelper summary(glyphs, "DataSummary");
   const auto number = [glyphs](const char* name) { return vtkSMPropertyHelper(glyphs, name).GetAsDouble(); };
   const auto explain = [&](const char* what, const char* name)
   {
@@ -376,7 +378,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
       sentences.emplace_back("ScaleMode has no effect: choose a SelectScaleArray");
     }
   }
-  const double limited = vtkSMPropertyHelper(display, "ScaleFactorGuess").GetAsDouble(2);
+  const double limited = summary.GetAsDouble(rtglyphs::DataSummary::LIMITED_FRACTION);
   if (number("ScaleFactorFromData") != 0.0 && limited > 0.0)
   {
     sentences.push_back(
@@ -410,7 +412,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
       sentences.push_back("Color by " + color + ": what the glyphs show");
     }
   }
-  const double negative = number("GlyphNegativeTensors");
+  const double negative = summary.GetAsDouble(rtglyphs::DataSummary::NEGATIVE_TENSORS);
   if (tensors && negative > 0.0)
   {
     const int coloring = vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt();

@@ -1,6 +1,6 @@
 #include "RayTracedSuggestion.h"
 
-#include "RayTracedGlyphDefaults.h"
+#include "DataSummary.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -10,14 +10,14 @@
 
 namespace
 {
-// Used while FromData is on, and Switch where there is one, else by glyphs; a second element of Guess is Limit's.
 struct Suggested
 {
-  const char *Number, *FromData, *Guess, *Limit, *Switch;
+  const char *Number, *FromData;
+  int Index; // in DataSummary
 };
 constexpr Suggested suggestions[] = {
-  { "ScaleFactor", "ScaleFactorFromData", "ScaleFactorGuess", "GlyphSizeLimit", nullptr },
-  { "ShutterTime", "ShutterTimeFromData", "ShutterTimeGuess", nullptr, "MotionBlur" },
+  { "ScaleFactor", "ScaleFactorFromData", rtglyphs::DataSummary::SCALE_FACTOR },
+  { "ShutterTime", "ShutterTimeFromData", rtglyphs::DataSummary::SHUTTER_TIME },
 };
 
 bool taking = false; // a number is set to what the data suggest, not by the user
@@ -50,34 +50,19 @@ bool rtglyphs::RayTracedSuggestion::IsTaking()
 void rtglyphs::RayTracedSuggestion::Take(vtkSMProxy* shown)
 {
   vtkSMProxy* display = shown->GetTrueParentProxy();
-  const bool glyphs = RayTracedGlyphDefaults::ShowsGlyphs(display);
+  vtkSMProperty* summary = shown->GetProperty("DataSummary");
+  shown->UpdatePropertyInformation(summary);
+  taking = true;
   for (const Suggested& suggested : suggestions)
   {
-    vtkSMProperty* guess = shown->GetProperty(suggested.Guess);
-    const bool used = suggested.Switch ? vtkSMPropertyHelper(display, suggested.Switch).GetAsInt() != 0 : glyphs;
-    if (!used || !vtkSMPropertyHelper(display, suggested.FromData).GetAsInt())
+    const double found = vtkSMPropertyHelper(summary).GetAsDouble(suggested.Index);
+    if (found > 0.0 && vtkSMPropertyHelper(display, suggested.FromData).GetAsInt())
     {
-      continue;
-    }
-    shown->UpdatePropertyInformation(guess);
-    const vtkSMPropertyHelper found(guess);
-    if (found.GetAsDouble() > 0.0)
-    {
-      taking = true;
-      vtkSMPropertyHelper(display, suggested.Number).Set(found.GetAsDouble());
-      if (suggested.Limit)
-      {
-        vtkSMPropertyHelper(shown, suggested.Limit).Set(found.GetAsDouble(1));
-      }
-      display->UpdateVTKObjects();
-      taking = false;
+      vtkSMPropertyHelper(display, suggested.Number).Set(found);
     }
   }
-  if (glyphs)
-  {
-    vtkSMProperty* found = shown->GetProperty("GlyphDataSizesInfo");
-    shown->UpdatePropertyInformation(found);
-    shown->GetProperty("GlyphDataSizes")->Copy(found);
-    shown->UpdateVTKObjects();
-  }
+  display->UpdateVTKObjects();
+  taking = false;
+  shown->GetProperty("DataSummaryOfServer")->Copy(summary);
+  shown->UpdateVTKObjects();
 }

@@ -1,5 +1,6 @@
 #include "RayTracedTensorTable.h"
 
+#include "DataSummary.h"
 #include "GlyphTensors.h"
 #include "RayTracedGlyphDefaults.h"
 #include "vtkNew.h"
@@ -65,10 +66,9 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
     return;
   }
   vtkSMProxy* table = tables->GetColorTransferFunction(name.c_str(), proxies);
-  vtkSMProperty* range = glyphs->GetProperty("GlyphTensorRange");
-  glyphs->UpdatePropertyInformation(range);
-  double found[2];
-  vtkSMPropertyHelper(range).Get(found, 2);
+  const vtkSMPropertyHelper summary(glyphs, "DataSummary");
+  const double found[2] = { summary.GetAsDouble(rtglyphs::DataSummary::LEAST_OF_TENSORS),
+    summary.GetAsDouble(rtglyphs::DataSummary::LARGEST_OF_TENSORS) };
   if (found[0] <= found[1] && (fresh || found[0] != this->Range[0] || found[1] != this->Range[1]))
   {
     vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);

@@ -260,8 +260,8 @@ ROWS = [
     Row("ScaleFactor", 0.5, area(DISC / 4.0)),
     # A fifth of the longest side, which is 1.2.
     Row("ScaleFactorFromData", 1, reads("ScaleFactor", 0.24), scene="two", back=False),
-    Row("ScaleFactorGuess", LEFT, reads("ScaleFactorGuess", [0.24, 0.0, 0.0]), scene="two", ScaleFactorFromData=1),
-    Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.0, 1.0, 1.0, 0.0]), GlyphType=forms),
+    Row("DataSummary", LEFT, reads("DataSummary", [0.24, 0.0, 0.0], part=slice(0, 3)), kinds=[GLYPHS], scene="two", ScaleFactorFromData=1),
+    Row("DataSummary", LEFT, reads("DataSummary", [0.0, 1.0, 1.0, 0.0], part=slice(7, 11)), kinds=[GLYPHS], GlyphType=forms),
     Row("Scaling", 0, area(DISC), ScaleFactor=0.5),
     Row("ScaleMode", "Magnitude", area(DISC / 4.0, DISC), scene="two", SelectScaleArray="size"),
     Row("SelectScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", ScaleMode="Magnitude", **{"SelectScaleArray": "size"}),
@@ -304,12 +304,11 @@ ROWS = [
     # Half-axes of a fifth of the standard deviations times the root of the quantile, which is 2.366 for a half
     Row("GlyphConfidence", 0.5, area(numpy.pi * 0.04 * 2.366 * numpy.sqrt(0.5)), GlyphShape="Confidence Ellipsoid", GlyphTensorArray="tensor", ScaleFactor=0.2),
     Row("GlyphTensorColoring", "Eigenvalues", colors([1.0, 0.5, 0.5]), **TENSOR),
-    Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),
-    Row("GlyphTensorColoring", "Radius", reads("GlyphTensorRange", [0.0, 1.0]), **HARMONICS),
+    Row("GlyphTensorColoring", "Middle Eigenvalue", reads("DataSummary", [0.5, 0.5], part=slice(4, 6)), **TENSOR),
+    Row("GlyphTensorColoring", "Radius", reads("DataSummary", [0.0, 1.0], part=slice(4, 6)), **HARMONICS),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
     Row("ColorFromData", 1, as_with(GlyphTensorColoring="Fractional Anisotropy"), **TENSOR),
-    Row("GlyphNegativeTensors", LEFT, reads("GlyphNegativeTensors", 0.0), **TENSOR),
-    Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
+    Row("DataSummary", LEFT, reads("DataSummary", [2.0, 2.0, 0.0], part=slice(4, 7)), kinds=[GLYPHS], GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
     Row("GlyphHarmonicsArray", "flat", area(DISC / 4.0), **HARMONICS),
     Row("GlyphHarmonicsBasis", "DIPY Legacy", as_with(GlyphHarmonicsArray="lying", GlyphHarmonicsBasis="MRtrix3"), **{**HARMONICS, "GlyphHarmonicsArray": "standing"}),
@@ -332,8 +331,8 @@ ROWS = [
     # Three widths of 0.5 at a speed of 0.5; of a surface a twentieth of its side, between the outer percentiles of its points
     Row("ShutterTimeFromData", 1, reads("ShutterTime", 3.0), kinds=[GLYPHS, TUBES], back=False, **BLUR),
     Row("ShutterTimeFromData", 1, reads("ShutterTime", 0.048), kinds=[SURFACE], back=False, **BLUR),
-    Row("ShutterTimeGuess", LEFT, reads("ShutterTimeGuess", 3.0), kinds=[GLYPHS, TUBES], **{**BLUR, "ShutterTimeFromData": 1}),
-    Row("ShutterTimeGuess", LEFT, reads("ShutterTimeGuess", 0.048), kinds=[SURFACE], **{**BLUR, "ShutterTimeFromData": 1}),
+    Row("DataSummary", LEFT, reads("DataSummary", [3.0], part=slice(3, 4)), kinds=[GLYPHS, TUBES], **{**BLUR, "ShutterTimeFromData": 1}),
+    Row("DataSummary", LEFT, reads("DataSummary", [0.048], part=slice(3, 4)), kinds=[SURFACE], **{**BLUR, "ShutterTimeFromData": 1}),
     Row("ShutterOpening", "Forward", moved(0.25, 0.0), **BLUR),
     # The mean of a t t / 2 over the shutter's time
     Row("AccelerationArray", "push", moved(0.8 / 6.0, 0.0), ShutterOpening="Forward", **BLUR),

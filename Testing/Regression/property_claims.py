@@ -442,12 +442,12 @@ def glyphs(number):
     return claim
 
 
-def reads(name, wanted, tolerance=1e-6):
-    """A property, perhaps another one, or a number of RenderStatistics, has this value after the next picture."""
+def reads(name, wanted, tolerance=1e-6, part=slice(None)):
+    """A property, or a part of it, perhaps another one, or a number of RenderStatistics, has this value after the next picture."""
     def claim(change):
         counted = change.counted()
         found = counted[name] if name in counted else change.shown.GetPropertyValue(name)
-        change.within(name, list(found) if hasattr(found, "__len__") else found, wanted, tolerance)
+        change.within(name, list(found)[part] if hasattr(found, "__len__") else found, wanted, tolerance)
     return claim
 
 

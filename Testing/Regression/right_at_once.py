@@ -117,7 +117,7 @@ def magnitude(source, shown, shape):
 def largest_glyph(source, shown, shape, view):
     """The size of the largest glyph as a fraction of the view's shorter side in the distance of the focal point."""
     size = shown.ScaleFactor * magnitude(source, shown, shape)
-    limit = shown.SMProxy.GetProperty("ScaleFactorGuess").GetElement(1)
+    limit = shown.SMProxy.GetProperty("DataSummary").GetElement(1)
     size = limit if 0.0 < limit < size else size  # a ProgrammableSource has given this module another min()
     size *= 2.0 if shape == "Capsule" else 1.0
     camera = view.GetActiveCamera()

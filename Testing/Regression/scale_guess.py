@@ -163,7 +163,7 @@ def steps(checks):
     checks.no_message("an empty first step", said)
     for time, wanted in ((0.0, 0.0), (1.0, 0.0), (2.0, SCALED), (3.0, SCALED), (4.0, SCALED), (0.0, SCALED), (3.0, SCALED)):
         view.ViewTime = time
-        found = factor(shown, view) if wanted else shown.SMProxy.GetProperty("ScaleFactorGuess").GetElement(0)
+        found = factor(shown, view) if wanted else shown.SMProxy.GetProperty("DataSummary").GetElement(0)
         checks.equal("factor at time %g" % time, found, wanted)
     shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults()
     shown.SMProxy.UpdateVTKObjects()
