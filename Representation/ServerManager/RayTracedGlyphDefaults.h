@@ -7,6 +7,7 @@
 #define RayTracedGlyphDefaults_h
 
 #include "RayTracedColoring.h"
+#include "vtkRayTracedGlyphsModule.h" // for export macro
 
 #include <set>
 #include <string>
@@ -44,7 +45,7 @@ public:
   /**
    * Of a display; null: it has none.
    */
-  static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
+  VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
 
   /**
    * Tubes of the display get the colors of their directions: in the window, once, when they are first shown and nothing
@@ -74,7 +75,6 @@ private:
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
   void ChooseArray(vtkSMProxy* glyphs, const char* name);
   void ChooseScaleMode(vtkSMProxy* glyphs);
-  void ListArrays(vtkSMProxy* glyphs);
 
   RayTracedColoring Coloring;
   std::set<std::string> Chosen; // properties that the user or a script has set
