@@ -17,6 +17,7 @@
 #include "vtkSMTransferFunctionManager.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -94,8 +95,16 @@ bool AreOriented(vtkSMProxy* glyphs)
     std::any_of(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction; });
 }
 
+// Whether an array, if there is one, has a range of colors, unlike a load that is still zero.
+bool HasRange(vtkSMProxy* glyphs, const std::string& name)
+{
+  const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+  return std::none_of(arrays.begin(), arrays.end(),
+    [&](const Array& array) { return array.Name == name && array.IsKnown() && array.Least == array.Largest; });
+}
+
 // The glyphs' direction, else the size, else the array with the best score. Empty: none, or the direction is several
-// arrays.
+// arrays, or has no magnitude to show but 1.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
@@ -119,7 +128,10 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
-  if (direction.find(", ") != std::string::npos && !isListed(direction, false))
+  const bool unit = std::any_of(arrays.begin(), arrays.end(),
+    [&](const Array& array)
+    { return array.Name == direction && std::abs(array.Least - 1.0) < 1e-3 && std::abs(array.Largest - 1.0) < 1e-3; });
+  if (unit || (direction.find(", ") != std::string::npos && !isListed(direction, false)))
   {
     return {};
   }
@@ -216,11 +228,13 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   const bool directions =
     tensors.empty() ? array.empty() && AreOriented(glyphs) : coloring == rtglyphs::GlyphTensors::NONE;
   const std::string shown = !tensors.empty() ? tensors + ' ' + std::to_string(coloring) : directions ? " " : array;
-  if (shown.empty() || shown == this->Shown)
+  const bool ranged = HasRange(glyphs, array), again = shown == this->Shown;
+  if (shown.empty() || (again && (this->Ranged || !ranged)))
   {
     return; // a time step that has nothing to color by changes nothing
   }
   this->Shown = shown;
+  this->Ranged = ranged;
   this->Choosing = true;
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
@@ -233,7 +247,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   {
     colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no scalar bar of an invisible array
   }
-  if (!array.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
+  if (!array.empty() && (again || ColorArrayOf(display) != array)) // as in a state that is loaded, with its own table
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
     const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;

@@ -111,7 +111,7 @@ void ExplainPeriods(vtkSMProxy* display, std::vector<std::string>& sentences)
   {
     sentences.emplace_back("PeriodicBoundary has no effect: choose a number of PeriodicImages");
   }
-  if (periodic && !isSet("PeriodicVectors") && !HasPeriodicBox(display))
+  else if (periodic && !isSet("PeriodicVectors") && !HasPeriodicBox(display))
   {
     sentences.emplace_back("Periodic box by the bounds of the points: the data have none; PeriodicVectors sets it");
   }

@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
 #include "GlyphArrayRoles.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -10,6 +11,7 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMInputArrayDomain.h"
 #include "vtkRayTracedGlyphRepresentation.h"
@@ -174,12 +176,21 @@ std::vector<Array> vtkSMRayTracedArrayListDomain::Joined(const std::vector<Array
 //----------------------------------------------------------------------------
 vtkPVDataInformation* vtkSMRayTracedArrayListDomain::GetExtraDataInformation()
 {
+  // A vertex, as ParaView leaves out arrays of nothing.
   vtkNew<vtkPolyData> columns;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  const vtkIdType point = points->InsertNextPoint(0.0, 0.0, 0.0);
+  vertices->InsertNextCell(1, &point);
+  columns->SetPoints(points);
+  columns->SetVerts(vertices);
   for (const Array& array : this->Joined(this->InputArrays()))
   {
     vtkNew<vtkFloatArray> joined;
     joined->SetName(array.Name.c_str());
     joined->SetNumberOfComponents(array.Components);
+    joined->SetNumberOfTuples(1);
+    joined->Fill(0.0);
     columns->GetPointData()->AddArray(joined);
     columns->GetCellData()->AddArray(joined);
   }

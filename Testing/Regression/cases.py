@@ -275,6 +275,8 @@ TABLES = (
     ("STAR-CCM+", "Velocity[i] Velocity[j] Velocity[k]", VECTORS, "Velocity[i], Velocity[j], Velocity[k]"),
     ("velocities of one letter", "U V W p", VECTORS, "U, V, W"),
     ("AMReX, yt", "xvel yvel zvel density", VECTORS, "xvel, yvel, zvel"),
+    ("Copernicus, currents", "uo vo wo thetao so", VECTORS, "uo, vo, wo"),
+    ("CMIP, winds in the plane", "ua va ta", VECTORS, "ua, va"),
     ("heat fluxes", "x_flux y_flux z_flux T", VECTORS, "x_flux, y_flux, z_flux"),
     ("SU2", "Momentum_x Momentum_y Momentum_z", VECTORS, "Momentum_x, Momentum_y, Momentum_z"),
     ("velocities and accelerations", "id x_vel y_vel z_vel x_acc y_acc z_acc mass", VECTORS, "x_vel, y_vel, z_vel"),
@@ -441,6 +443,9 @@ ROWS = (
         box(), b=numpy.ones(100), FA=RANDOM.uniform(size=100), _rgba=numpy.ones((100, 4), numpy.uint8),
         mask=(RANDOM.uniform(size=100) > 0.5).astype(numpy.int8), vtkGhostType=numpy.zeros(100, numpy.uint8)), Scalars="_rgba"),
         SIZED, {"SelectScaleArray": "FA"}),
+    Row("halos of dark matter", lambda: session.poly_data(100.0 * box(), mvir=10.0**RANDOM.uniform(10.0, 15.0, 100), rvir=RANDOM.uniform(50.0, 900.0, 100),
+                                                         vel=300.0 * RANDOM.normal(size=(100, 3))),
+        SIZED, {"SelectScaleArray": "rvir"}, (1e-4, 0.2 * 100.0 / 800.0)),
     # Directions
     Row("vectors of two components", lambda: session.poly_data(grid(8, 8, 1), VELOCITY=RANDOM.normal(size=(64, 2))),
         {**ARROWS, "MotionBlur": 1}, {"SelectOrientationVectors": "VELOCITY", "SelectScaleArray": "VELOCITY", "VelocityArray": "VELOCITY"},
