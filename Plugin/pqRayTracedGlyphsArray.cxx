@@ -60,8 +60,7 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
       pqCoreUtilities::connect(arrays, vtkCommand::DomainModifiedEvent, this, SLOT(list()));
     }
   }
-  pqCoreUtilities::connect(
-    display->GetProperty("Representation"), vtkCommand::ModifiedEvent, this, SLOT(list()));
+  pqCoreUtilities::connect(display->GetProperty("Representation"), vtkCommand::ModifiedEvent, this, SLOT(list()));
   QObject::connect(this->Arrays, QOverload<int>::of(&QComboBox::activated), this, &pqRayTracedGlyphsArray::choose);
   this->addPropertyLink(this, "array", SIGNAL(chosen()), property);
   if (IsSize(display, property))

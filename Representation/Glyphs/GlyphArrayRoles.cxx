@@ -273,8 +273,7 @@ std::vector<Words> Indices()
     }
   }
   for (const char* names :
-    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "e n u", "E N U", "x y", "X Y",
-      "u v", "U V" })
+    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "e n u", "E N U", "x y", "X Y", "u v", "U V" })
   {
     add(names, nullptr);
   }

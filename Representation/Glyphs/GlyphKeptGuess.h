@@ -6,7 +6,8 @@
  * them: over the steps of an animation a picture must not pulse. What a step suggests is taken only where the number of
  * the steps before is more than 2.5 times as large: of a motion that sets in, or of loads that grow from zero, too much
  * would be shown. So the number changes seldom, and of steps that are shown again it is the same. It grows only where
- * the points come to fill a space more than 2.5 times as long, as a spray does; steps of little space then do not count.
+ * the points come to fill a space more than 2.5 times as long, as a spray does; steps of little space then do not
+ * count.
  */
 #ifndef GlyphKeptGuess_h
 #define GlyphKeptGuess_h
