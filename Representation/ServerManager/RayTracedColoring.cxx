@@ -95,6 +95,12 @@ bool AreOriented(vtkSMProxy* glyphs)
     std::any_of(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction; });
 }
 
+// Vectors without a magnitude to show.
+bool IsUnit(const Array& array)
+{
+  return array.Components > 1 && std::abs(array.Least - 1.0) < 1e-3 && std::abs(array.Largest - 1.0) < 1e-3;
+}
+
 // Whether an array, if there is one, has a range of colors, unlike a load that is still zero.
 bool HasRange(vtkSMProxy* glyphs, const std::string& name)
 {
@@ -104,7 +110,7 @@ bool HasRange(vtkSMProxy* glyphs, const std::string& name)
 }
 
 // The glyphs' direction, else the size, else the array with the best score. Empty: none, or the direction is several
-// arrays, or has no magnitude to show but 1.
+// arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
@@ -128,9 +134,8 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
-  const bool unit = std::any_of(arrays.begin(), arrays.end(),
-    [&](const Array& array)
-    { return array.Name == direction && std::abs(array.Least - 1.0) < 1e-3 && std::abs(array.Largest - 1.0) < 1e-3; });
+  const bool unit = std::any_of(
+    arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction && IsUnit(array); });
   if (unit || (direction.find(", ") != std::string::npos && !isListed(direction, false)))
   {
     return {};
@@ -149,7 +154,8 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
   std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name != found; }),
     arrays.end());
-  const bool isQuantity = !arrays.empty() && (arrays.front().IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, arrays));
+  const bool isQuantity = !arrays.empty() && !IsUnit(arrays.front()) &&
+    (arrays.front().IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, arrays));
   if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
   {
     this->Wanted = true;

@@ -274,6 +274,7 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   if (proxies && proxies->GetInLoadXMLState())
   {
     this->Chosen = defaultedAnew; // states say all
+    this->Chosen.insert("ColorArrayName");
     return;
   }
   glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
@@ -375,7 +376,7 @@ void rtglyphs::RayTracedGlyphDefaults::ColorTubes(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display)
+std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display) const
 {
   std::vector<std::string> sentences;
   ExplainPeriods(display, sentences);
@@ -443,10 +444,9 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   const std::string color = own ? coloring.GetAsString() : directions ? "direction" : array ? array : "";
   if (!color.empty())
   {
-    const bool ofParaView =
-      !own && !directions && rtglyphs::RayTracedDefault::IsOfDomains(display->GetProperty("ColorArrayName"));
+    const bool ofParaView = !own && !directions && !this->Chosen.count("ColorArrayName");
     const std::string why = number("ColorFromData") != 0.0 ? ": what the glyphs show"
-      : ofParaView                                         ? ": an active array of the data, chosen by ParaView"
+      : ofParaView                                         ? ": the array that ParaView chose"
                                                            : "";
     sentences.push_back("Color by " + color + why);
   }

@@ -57,7 +57,7 @@ public:
    * Which arrays the glyphs of a display show, and why, where they are those that the data suggest; and what is to be
    * known of them. Sentences, none where it shows no ray-traced glyphs.
    */
-  static std::vector<std::string> Explain(vtkSMProxy* display);
+  std::vector<std::string> Explain(vtkSMProxy* display) const;
 
   /**
    * The panel shows 3D Glyphs' properties at once, and path tracing's material not with Interpolation PBR alone.

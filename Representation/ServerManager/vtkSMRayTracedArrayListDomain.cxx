@@ -169,7 +169,7 @@ std::vector<Array> vtkSMRayTracedArrayListDomain::Joined(const std::vector<Array
   std::vector<Array> numbers;
   std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(numbers),
     [](const Array& array) { return array.Components == 1 && !array.IsColor; });
-  vtkPVDataInformation* data = this->GetInputDataInformation("Input");
+  vtkPVDataInformation* data = numbers.empty() ? nullptr : this->GetInputDataInformation("Input");
   return rtglyphs::GlyphArrayRoles::Join(numbers, data && AxesOf(data->GetBounds()) < 3);
 }
 

@@ -134,6 +134,13 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
 }
 
 //----------------------------------------------------------------------------
+std::vector<std::string> vtkSMRayTracedRepresentationProxy::Explain(vtkSMProxy* display)
+{
+  auto* first = vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display));
+  return first ? first->GlyphDefaults.Explain(display) : std::vector<std::string>();
+}
+
+//----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 {
   this->GlyphDefaults.Choose(this);

@@ -1,7 +1,6 @@
 #include "vtkSMRayTracedViewProxy.h"
 
 #include "RayTracedDefault.h"
-#include "RayTracedGlyphDefaults.h"
 #include "vtkCallbackCommand.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -338,7 +337,7 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
       vtkRayTracedRepresentation* shown = ShownBy(display);
       auto own = all;
       own.update(ofRepresentations.value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object()));
-      std::vector<std::string> sentences = rtglyphs::RayTracedGlyphDefaults::Explain(display);
+      std::vector<std::string> sentences = vtkSMRayTracedRepresentationProxy::Explain(display);
       if (const std::string section = own.value("section", ""); !section.empty())
       {
         sentences.push_back(section);

@@ -246,6 +246,20 @@ def tubes(view, checks):
         checks.no_message(name, session.messages(lambda: pv.Render(view)))
         checks.within("TubeRadius of " + name, shown.TubeRadius, 0.99 * wanted, 1.01 * wanted)
         pv.Delete(shown)
+    weak = lines(2.0 * grid(3, 1, 1), [(0, 1), (1, 2)])
+    session.add_arrays(weak, force=numpy.tile([3e-3, 4e-3, 0.0], (3, 1)))
+    for name, steps, properties, wanted in (("paths that grow", (lines(1e-3 * run, [range(151)]), lines(run, [range(151)])), {}, 0.15),
+                                            ("forces that grow", (weak, throats), {"TubeRadiusArray": "force"}, 0.01 * 4.0 / 5.0)):
+        view.ViewTime = 0.0
+        shown = session.show(session.source(steps[0]), view, "Ray Traced Tubes", **properties)
+        pv.Render(view)
+        for time, data in ((1.0, steps[1]), (2.0, steps[0])):
+            view.ViewTime = time
+            session.replace_data(shown.Input, data)
+            checks.no_message(name, session.messages(lambda: pv.Render(view)))
+            checks.within("TubeRadius of %s at time %g" % (name, time), shown.TubeRadius, 0.99 * wanted, 1.01 * wanted)
+        pv.Delete(shown)
+    view.ViewTime = 0.0
 
 
 def ramp(view, checks):

@@ -287,7 +287,7 @@ ROWS = (
         {DIRECTION: "linVelVec"}, "linVelVec", 300, ("Direction by linVelVec: its name", )),
     Row("MFIX", lambda: vtp("mfix.vtp", PLACES, Diameter=RANDOM.uniform(0.004, 0.008, 300), Density=numpy.full(300, 2500.0), Particle_ID=NUMBERS,
                             Velocity=v_of(300)), {DIRECTION: "Velocity", SIZE: "Diameter"}, "Diameter", 300, GlyphType="Sphere", ScaleMode="Magnitude"),
-    Row("OpenFOAM", openfoam, {DIRECTION: "U"}, "p", None, ("Direction by U", "Color by p: an active array of the data")),
+    Row("OpenFOAM", openfoam, {DIRECTION: "U"}, "p", None, ("Direction by U", "Color by p: the array that ParaView chose")),
     Row("foamToVTK, cloud", lambda: vtp("cloud.vtp", PLACES, U=v_of(300), d=RANDOM.uniform(1e-3, 4e-3, 300), origId=NUMBERS, rho=numpy.full(300, 1000.0)),
         {DIRECTION: "U"}, "U", 300),
     Row("SU2", lambda: vtu("su2.vtu", SIDES, 0.1, {"Density": numpy.ones(120), "Momentum": 1.2 * swirl(NODES), "Pressure": NODES[:, 0],
