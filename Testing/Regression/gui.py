@@ -174,12 +174,12 @@ def sized(window, view, reader, shown):
         chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
         if not chosen or not window.wait(lambda: str(shown.SelectOrientationVectors).strip("'") == choice, 5):
             failures.append("Direction By %s of Split Vector: %s" % (choice, shown.SelectOrientationVectors))
-    columns = session.source(session.poly_data(numpy.eye(3), vx=numpy.ones(3), vy=numpy.ones(3), vz=numpy.ones(3)))
-    joined = session.glyphs(columns, view)
+    columns = session.source(session.poly_data(numpy.eye(3), **{name + axis: numpy.ones(3) for name in "fv" for axis in "xyz"}))
+    joined = session.glyphs(columns, view, "Arrow")
     pv.SetActiveSource(columns)
-    for choice in ("None", "vx, vy, vz"):
+    for choice in ("fx, fy, fz", "vx, vy, vz"):
         chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
-        if not chosen or not window.wait(lambda: bool(int(joined.Orient)) == (choice != "None"), 5) or str(joined.SelectOrientationVectors).strip("'") != "vx, vy, vz":
+        if not chosen or not window.wait(lambda: str(joined.SelectOrientationVectors).strip("'") == choice, 5):
             failures.append("Direction By %s of columns: %s" % (choice, joined.SelectOrientationVectors))
     pv.Delete(joined)
     pv.Delete(columns)
