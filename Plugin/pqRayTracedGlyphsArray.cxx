@@ -1,6 +1,7 @@
 #include "pqRayTracedGlyphsArray.h"
 
 #include "GlyphShapes.h"
+#include "RayTracedGlyphDefaults.h"
 #include "pqCoreUtilities.h"
 #include "vtkCommand.h"
 #include "vtkSMProperty.h"
@@ -24,6 +25,14 @@ bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
   return property == display->GetProperty("SelectScaleArray");
 }
 
+// The arrays that 3D Glyphs takes, or, with `own`, those that ray-traced glyphs take.
+vtkSMStringListDomain* ArraysOf(vtkSMProxy* display, vtkSMProperty* property, bool own)
+{
+  vtkSMProxy* glyphs = own ? rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display) : display;
+  vtkSMProperty* listed = glyphs ? glyphs->GetProperty(display->GetPropertyName(property)) : nullptr;
+  return listed ? listed->FindDomain<vtkSMStringListDomain>() : nullptr;
+}
+
 // Whose vectors are what they show, whatever Orient is.
 bool IsVector(vtkSMProxy* display)
 {
@@ -43,10 +52,14 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Arrays);
-  if (auto* arrays = property->FindDomain<vtkSMStringListDomain>())
+  for (const bool own : { false, true })
   {
-    pqCoreUtilities::connect(arrays, vtkCommand::DomainModifiedEvent, this, SLOT(list()));
+    if (auto* arrays = ArraysOf(display, property, own))
+    {
+      pqCoreUtilities::connect(arrays, vtkCommand::DomainModifiedEvent, this, SLOT(list()));
+    }
   }
+  pqCoreUtilities::connect(display->GetProperty("Representation"), vtkCommand::ModifiedEvent, this, SLOT(list()));
   QObject::connect(this->Arrays, QOverload<int>::of(&QComboBox::activated), this, &pqRayTracedGlyphsArray::choose);
   this->addPropertyLink(this, "array", SIGNAL(chosen()), property);
   if (IsSize(display, property))
@@ -92,7 +105,8 @@ void pqRayTracedGlyphsArray::list()
 {
   this->Arrays->clear();
   this->Arrays->addItem(tr("None"));
-  auto* arrays = this->property()->FindDomain<vtkSMStringListDomain>();
+  const vtkSMPropertyHelper shown(this->proxy(), "Representation");
+  auto* arrays = ArraysOf(this->proxy(), this->property(), strcmp(shown.GetAsString(), "Ray Traced Glyphs") == 0);
   for (unsigned int i = 0; arrays && i < arrays->GetNumberOfStrings(); ++i)
   {
     const char* name = arrays->GetString(i);

@@ -29,7 +29,7 @@ constexpr int tensor = 60; // the name of one
 const Meaning meanings[] = {
   { { "colo*", "rgb*", "rgba", "texture*", "tcoord*", "normalmap" }, {} },
   { { "blockiness*", "exponent*", "roundness*", " block" }, { 0, 0, 0, 0, 0, 0, 0, 80 } },
-  { { "radius*", "radii" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
+  { { "radius*", "radii", "rvir" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
   { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0, 0 }, 1.0 },
   { { "spacing" }, { 0, 0, 80, 18, 0, 0, 0, 0 }, 1.0 },
   { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
@@ -273,7 +273,7 @@ std::vector<Words> Indices()
     }
   }
   for (const char* names :
-    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "x y", "X Y", "u v", "U V" })
+    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "e n u", "E N U", "x y", "X Y", "u v", "U V" })
   {
     add(names, nullptr);
   }
@@ -344,7 +344,8 @@ struct Columns
     const Words words = WordsOf(array.Columns);
     const Meaning& meaning = MeaningOf(array);
     const bool ends = !isAt(at + length);
-    const bool begins = at == 0 && !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
+    const bool named = !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
+    const bool begins = at == 0 && (named || (speed && first.size() == 2)); // uo, ua: of oceans and the atmosphere
     const bool running = index.front() == "11" && this->Has(Replaced(first, at, length, "10"));
     const bool whole =
       std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Whole.count(name) > 0; });

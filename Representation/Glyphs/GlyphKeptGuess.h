@@ -5,7 +5,9 @@
  * It is found anew when the settings that it depends on have changed, or the data, unless the time has changed with
  * them: over the steps of an animation a picture must not pulse. What a step suggests is taken only where the number of
  * the steps before is more than 2.5 times as large: of a motion that sets in, or of loads that grow from zero, too much
- * would be shown. So the number changes seldom, and never grows; of steps that are shown again it is the same.
+ * would be shown. So the number changes seldom, and of steps that are shown again it is the same. It grows only where
+ * the points come to fill a space more than 2.5 times as long, as a spray does; steps of little space then do not
+ * count.
  */
 #ifndef GlyphKeptGuess_h
 #define GlyphKeptGuess_h
@@ -24,11 +26,11 @@ class GlyphKeptGuess
 public:
   /**
    * Value of 0: the data suggest nothing yet, which is not kept. Limit of the sizes that it leads to, which outliers
-   * have; 0: none. Limited: the fraction of all that have it.
+   * have; 0: none. Limited: the fraction of all that have it. Extent: the longest side of the points, if it matters.
    */
   struct Result
   {
-    double Value = 0.0, Limit = 0.0, Limited = 0.0;
+    double Value = 0.0, Limit = 0.0, Limited = 0.0, Extent = 0.0;
   };
 
   /**
@@ -49,12 +51,15 @@ public:
     {
       const bool onlyTime = reason == 1.0;
       const Result found = find(onlyTime);
-      const bool isExceeded = found.Value > 0.0 && mostExcess * found.Value < this->Found.Value;
-      if (!onlyTime || isExceeded)
+      const bool narrow = mostExcess * found.Extent < this->Found.Extent;
+      const bool isExceeded = !narrow && found.Value > 0.0 && mostExcess * found.Value < this->Found.Value;
+      const bool isOutgrown =
+        found.Extent > mostExcess * this->Found.Extent && found.Value > mostExcess * this->Found.Value;
+      if (!onlyTime || isExceeded || isOutgrown)
       {
         this->Found = onlyTime ? find(false) : found;
       }
-      else if (found.Limit > 0.0)
+      else if (found.Limit > 0.0 && !narrow)
       {
         this->Found.Limit = this->Found.Limit > 0.0 ? std::min(this->Found.Limit, found.Limit) : found.Limit;
         this->Found.Limited = found.Limited;

@@ -202,6 +202,7 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
     return result;
   }
   const Extents extents = Measure(points, rough);
+  result.Extent = extents.Longest;
   const double typical = Quantile(sample, typicalQuantile);
   const double exact = rtglyphs::RayTracedRanks::Largest(ExactFactor(data, settings, unitSize));
   const double most = extents.Longest * std::max(1.0, mostNeighbors * extents.Neighbors);

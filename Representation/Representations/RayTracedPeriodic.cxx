@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace
@@ -17,6 +18,11 @@ namespace
 // Names under which codes and readers keep the edges of a box, nine numbers.
 constexpr const char* names[] = { "lattice", "lattice_vectors", "latticevectors", "lattice vectors", "cell",
   "cell_vectors", "unitcell", "unit_cell", "box", "box_vectors", "boxvectors", "vectors" };
+
+bool IsNamed(const char* name, const char* known)
+{
+  return name && vtksys::SystemTools::LowerCase(name) == known;
+}
 
 // The first array of such a name that has nine numbers; null: there is none.
 vtkDataArray* FindEdges(vtkFieldData* field)
@@ -26,8 +32,7 @@ vtkDataArray* FindEdges(vtkFieldData* field)
     for (int i = 0; field && i < field->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = field->GetArray(i);
-      if (array && array->GetName() && vtksys::SystemTools::LowerCase(array->GetName()) == name &&
-        array->GetNumberOfValues() == 9)
+      if (array && IsNamed(array->GetName(), name) && array->GetNumberOfValues() == 9)
       {
         return array;
       }
@@ -83,6 +88,13 @@ rtglyphs::RayTracedPeriodic::Make(vtkFieldData* field, const vtkBoundingBox& box
     images.lit[i] = length > 0.0 ? shown + 1 : 0;
   }
   return images;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedPeriodic::AreEdges(const char* name, vtkIdType numbers)
+{
+  return numbers == 9 &&
+    std::any_of(std::begin(names), std::end(names), [name](const char* known) { return IsNamed(name, known); });
 }
 
 //----------------------------------------------------------------------------

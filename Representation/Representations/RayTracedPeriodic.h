@@ -5,6 +5,7 @@
 #define RayTracedPeriodic_h
 
 #include "Glyphs.h"
+#include "vtkType.h"
 
 #include <array>
 #include <string>
@@ -26,6 +27,11 @@ struct RayTracedPeriodic
    * `problem`, which is to be reported, there are none.
    */
   rtg::PeriodicImages Make(vtkFieldData* field, const vtkBoundingBox& box, std::string& problem) const;
+
+  /**
+   * Whether a field array of that name and number of values has the edges.
+   */
+  static bool AreEdges(const char* name, vtkIdType numbers);
 };
 
 /**

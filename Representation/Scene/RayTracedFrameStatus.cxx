@@ -3,12 +3,15 @@
 #include "RayTracedDisplays.h"
 #include "RayTracedImages.h"
 #include "RayTracedRanks.h"
+#include "vtkActor.h"
 #include "vtkCommunicator.h"
+#include "vtkMath.h"
 #include "vtkRayTracedMapper.h"
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -25,8 +28,30 @@ enum DisplayNumbers
 {
   GLYPHS,
   SKIPPED_GLYPHS,
+  PARTS_CUT, // of ranks, of which a section takes something, and of which it leaves something
+  PARTS_LEFT,
   DISPLAY_NUMBERS
 };
+
+// Whether a section takes something within the display's bounds, and whether it leaves something.
+std::pair<bool, bool> TakesAndLeaves(const rtglyphs::RayTracedDisplays::Display& display)
+{
+  const rtg::Section& section = display.Mapper->GetSection();
+  const double* bounds = display.Actor ? display.Actor->GetBounds() : nullptr;
+  bool inside = bounds && vtkMath::AreBoundsInitialized(bounds), outside = false;
+  for (std::size_t i = 0; inside && i < section.planes.size(); ++i)
+  {
+    int beyond = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::dvec3 at(bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]);
+      beyond += glm::dot(section.planes[i].normal, at - section.planes[i].point) > 0.0 ? 1 : 0;
+    }
+    outside |= beyond > 0;
+    inside = beyond < 8;
+  }
+  return section.keepsInside ? std::pair(outside, inside) : std::pair(inside, outside);
+}
 
 std::vector<double> OwnNumbers(const rtg::Statistics& statistics, const rtglyphs::RayTracedDisplays& displays)
 {
@@ -39,6 +64,9 @@ std::vector<double> OwnNumbers(const rtg::Statistics& statistics, const rtglyphs
   {
     numbers.push_back(static_cast<double>(display.Mapper->GetNumberOfGlyphs()));
     numbers.push_back(static_cast<double>(display.Mapper->GetSkippedGlyphs()));
+    const auto [takes, leaves] = TakesAndLeaves(display);
+    numbers.push_back(takes ? 1.0 : 0.0);
+    numbers.push_back(leaves ? 1.0 : 0.0);
   }
   return numbers;
 }
@@ -129,10 +157,17 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
     if (display.Data.Representation != 0)
     {
       const vtkRayTracedMapper& mapper = *display.Mapper;
+      const bool cut = !mapper.GetSection().planes.empty() && count(own + GLYPHS) > 0;
+      const bool takes = count(own + PARTS_CUT) > 0, leaves = count(own + PARTS_LEFT) > 0;
       representations[std::to_string(display.Data.Representation)] = {
         { "glyphs", count(own + GLYPHS) },
         { "skippedGlyphs", count(own + SKIPPED_GLYPHS) },
         { "unfinished", mapper.GetUnfinished() },
+        { "section",
+          !cut       ? ""
+            : !takes ? "Section has no effect: it does not meet what is shown"
+            : leaves ? ""
+                     : "Section cuts off all that is shown" },
         { "gathers", display.Data.Gathers },
         { "boundsBuilds", display.Data.BoundsBuilds },
         { "instanceBuilds", mapper.GetInstanceBuilds() },

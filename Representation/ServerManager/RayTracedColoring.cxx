@@ -18,6 +18,7 @@
 #include "vtkSMTransferFunctionManager.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -94,8 +95,22 @@ bool AreOriented(vtkSMProxy* glyphs)
     std::any_of(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction; });
 }
 
+// Vectors without a magnitude to show.
+bool IsUnit(const Array& array)
+{
+  return array.Components > 1 && std::abs(array.Least - 1.0) < 1e-3 && std::abs(array.Largest - 1.0) < 1e-3;
+}
+
+// Whether an array, if there is one, has a range of colors, unlike a load that is still zero.
+bool HasRange(vtkSMProxy* glyphs, const std::string& name)
+{
+  const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+  return std::none_of(arrays.begin(), arrays.end(),
+    [&](const Array& array) { return array.Name == name && array.IsKnown() && array.Least == array.Largest; });
+}
+
 // The glyphs' direction, else the size, else the array with the best score. Empty: none, or the direction is several
-// arrays.
+// arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
@@ -119,7 +134,9 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
-  if (direction.find(", ") != std::string::npos && !isListed(direction, false))
+  const bool unit = std::any_of(
+    arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction && IsUnit(array); });
+  if (unit || (direction.find(", ") != std::string::npos && !isListed(direction, false)))
   {
     return {};
   }
@@ -137,7 +154,8 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
   std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name != found; }),
     arrays.end());
-  const bool isQuantity = !arrays.empty() && (arrays.front().IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, arrays));
+  const bool isQuantity = !arrays.empty() && !IsUnit(arrays.front()) &&
+    (arrays.front().IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, arrays));
   if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
   {
     this->Wanted = true;
@@ -216,11 +234,13 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   const bool directions =
     tensors.empty() ? array.empty() && AreOriented(glyphs) : coloring == rtglyphs::GlyphTensors::NONE;
   const std::string shown = !tensors.empty() ? tensors + ' ' + std::to_string(coloring) : directions ? " " : array;
-  if (shown.empty() || shown == this->Shown)
+  const bool ranged = HasRange(glyphs, array), again = shown == this->Shown;
+  if (shown.empty() || (again && (this->Ranged || !ranged)))
   {
     return; // a time step that has nothing to color by changes nothing
   }
   this->Shown = shown;
+  this->Ranged = ranged;
   this->Choosing = true;
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
@@ -233,7 +253,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   {
     colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no scalar bar of an invisible array
   }
-  if (!array.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
+  if (!array.empty() && (again || ColorArrayOf(display) != array)) // as in a state that is loaded, with its own table
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
     const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;

@@ -45,6 +45,7 @@ private:
   bool Replaced = false; // an array, whose scalar bar may be of no use
   std::string Chosen;    // association and name of ColorArrayName
   std::string Shown;     // by the glyphs, when the color was chosen
+  bool Ranged = true;    // that had a range then
 };
 
 } // namespace rtglyphs

@@ -4,6 +4,7 @@
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkCommand.h"
+#include "vtkSMBoundsDomain.h"
 #include "vtkSMDomain.h"
 #include "vtkSMDomainIterator.h"
 #include "vtkSMDoubleVectorProperty.h"
@@ -189,6 +190,25 @@ bool RenewAll(vtkSMProxy* proxy, Where where)
   }
   return renewed;
 }
+
+// Over time tubes keep their radius, unless the lines, or the values that scale it, become more than 2.5 times as
+// large, as GlyphKeptGuess has it.
+bool RenewRadius(vtkSMProxy* display)
+{
+  vtkSMProperty* radius = display->GetProperty("TubeRadius");
+  auto* domain = radius ? radius->FindDomain<vtkSMBoundsDomain>() : nullptr;
+  if (!domain)
+  {
+    return false;
+  }
+  auto suggested = vtk::TakeSmartPointer(radius->NewInstance());
+  suggested->Copy(radius);
+  domain->SetDefaultValues(suggested, /*use_unchecked_values=*/false);
+  const double ratio = vtkSMPropertyHelper(suggested).GetAsDouble() / vtkSMPropertyHelper(radius).GetAsDouble();
+  const char* array = vtkSMPropertyHelper(display, "TubeRadiusArray").GetAsString();
+  const bool scaled = array && strcmp(array, "None") != 0;
+  return (scaled ? 2.5 * ratio < 1.0 : ratio > 2.5) && RenewOne(radius, Where::Everywhere);
+}
 }
 
 //----------------------------------------------------------------------------
@@ -250,5 +270,6 @@ void rtglyphs::RayTracedDefault::Follow(vtkSMProxy* representation, const char* 
 //----------------------------------------------------------------------------
 bool rtglyphs::RayTracedDefault::Renew(vtkSMProxy* display, bool otherTime)
 {
-  return RenewAll(display, otherTime ? Where::Missing : Where::Lost);
+  const bool renewed = RenewAll(display, otherTime ? Where::Missing : Where::Lost);
+  return (otherTime && RenewRadius(display)) || renewed;
 }

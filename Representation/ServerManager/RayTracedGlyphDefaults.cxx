@@ -2,16 +2,19 @@
 
 #include "DataSummary.h"
 #include "DirectionColors.h"
-#include "RayTracedDefault.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
+#include "RayTracedDefault.h"
+#include "RayTracedPeriodic.h"
 #include "RayTracedSuggestion.h"
 #include "vtkCommand.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkPVXMLParser.h"
-#include "vtkSMInputArrayDomain.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
@@ -20,6 +23,7 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSmartPointer.h"
 
@@ -39,20 +43,6 @@ struct Display : vtkSMProxy
   {
     vtkSMProxy* (vtkSMProxy::*representation)(const char*) = &Display::GetSubProxy;
     return (display->*representation)(name);
-  }
-};
-
-// ParaView lets subclasses choose only.
-struct InputArrays : vtkSMInputArrayDomain
-{
-  static void List(vtkSMDomain* domain, int attributeType, const std::vector<int>& numbersOfComponents)
-  {
-    void (vtkSMInputArrayDomain::*set)(int) = &InputArrays::SetAttributeType;
-    if (auto* arrays = vtkSMInputArrayDomain::SafeDownCast(domain))
-    {
-      (arrays->*set)(attributeType);
-      arrays->*(&InputArrays::AcceptableNumbersOfComponents) = numbersOfComponents;
-    }
   }
 };
 
@@ -80,6 +70,47 @@ bool IsNone(vtkSMProxy* display, const char* array)
 {
   const char* value = vtkSMPropertyHelper(display, array).GetAsString();
   return !value || !value[0] || strcmp(value, "None") == 0;
+}
+
+bool HasPeriodicBox(vtkSMProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  auto* field = source ? source->GetDataInformation(input.GetOutputPort())->GetFieldDataInformation() : nullptr;
+  for (int i = 0; field && i < field->GetNumberOfArrays(); ++i)
+  {
+    vtkPVArrayInformation* array = field->GetArrayInformation(i);
+    if (rtglyphs::RayTracedPeriodic::AreEdges(
+          array->GetName(), array->GetNumberOfComponents() * array->GetNumberOfTuples()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What is to be known of periodic domains.
+void ExplainPeriods(vtkSMProxy* display, std::vector<std::string>& sentences)
+{
+  const auto isSet = [display](const char* name)
+  {
+    const std::vector<double> values = vtkSMPropertyHelper(display, name).GetDoubleArray();
+    return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+  };
+  const bool periodic = isSet("PeriodicBoundary"), images = isSet("PeriodicImages");
+  const bool occluded = vtkSMPropertyHelper(display, "ShadingMode").GetAsInt() == 1 && isSet("AmbientOcclusionRadius");
+  if (images && !periodic)
+  {
+    sentences.emplace_back("PeriodicImages has no effect: switch PeriodicBoundary on");
+  }
+  if (periodic && !images && !occluded && !isSet("TrailSteps"))
+  {
+    sentences.emplace_back("PeriodicBoundary has no effect: choose a number of PeriodicImages");
+  }
+  else if (periodic && !isSet("PeriodicVectors") && !HasPeriodicBox(display))
+  {
+    sentences.emplace_back("Periodic box by the bounds of the points: the data have none; PeriodicVectors sets it");
+  }
 }
 }
 
@@ -170,7 +201,7 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
 {
   if (name == "GlyphLocation")
   {
-    this->ListArrays(glyphs);
+    glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent); // lists its arrays
     this->ChooseArrays(glyphs, Where::Lost);
   }
   // While the display is made ParaView changes them, and what another client sets comes with its ScaleFactorFromData.
@@ -239,9 +270,10 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   if (proxies && proxies->GetInLoadXMLState())
   {
     this->Chosen = defaultedAnew; // states say all
+    this->Chosen.insert("ColorArrayName");
     return;
   }
-  this->ListArrays(glyphs);
+  glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
   this->Choosing = true;
   this->ChooseArrays(glyphs, Where::Everywhere);
   for (const char* name : { "Orient", "Scaling" })
@@ -319,6 +351,12 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseArray(vtkSMProxy* glyphs, const cha
 }
 
 //----------------------------------------------------------------------------
+vtkSMProxy* rtglyphs::RayTracedGlyphDefaults::GlyphsOf(vtkSMProxy* display)
+{
+  return Display::Representation(display, "RayTracedRepresentation");
+}
+
+//----------------------------------------------------------------------------
 bool rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(vtkSMProxy* display)
 {
   return Shows(display, "Ray Traced Glyphs");
@@ -340,10 +378,11 @@ void rtglyphs::RayTracedGlyphDefaults::ColorTubes(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display)
+std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display) const
 {
   std::vector<std::string> sentences;
-  vtkSMProxy* glyphs = ShowsGlyphs(display) ? Display::Representation(display, "RayTracedRepresentation") : nullptr;
+  ExplainPeriods(display, sentences);
+  vtkSMProxy* glyphs = ShowsGlyphs(display) ? GlyphsOf(display) : nullptr;
   if (!glyphs)
   {
     return sentences;
@@ -401,16 +440,18 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   {
     explain("Motion", "VelocityArray");
   }
-  if (number("ColorFromData") != 0.0)
+  const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
+  const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
+  const bool own = coloring.GetAsInt() != 0 && (tensors || shape == Shapes::SPHERICAL_HARMONICS);
+  const bool directions = number("GlyphDirectionColoring") != 0.0;
+  const std::string color = own ? coloring.GetAsString() : directions ? "direction" : array ? array : "";
+  if (!color.empty())
   {
-    const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
-    const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
-    const std::string other = number("GlyphDirectionColoring") != 0.0 ? "direction" : array ? array : "";
-    const std::string color = coloring.GetAsInt() != 0 ? coloring.GetAsString() : other;
-    if (!color.empty())
-    {
-      sentences.push_back("Color by " + color + ": what the glyphs show");
-    }
+    const bool ofParaView = !own && !directions && !this->Chosen.count("ColorArrayName");
+    const std::string why = number("ColorFromData") != 0.0 ? ": what the glyphs show"
+      : ofParaView                                         ? ": the array that ParaView chose"
+                                                           : "";
+    sentences.push_back("Color by " + color + why);
   }
   const double negative = summary.GetAsDouble(rtglyphs::DataSummary::NEGATIVE_TENSORS);
   if (tensors && negative > 0.0)
@@ -454,21 +495,4 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
   glyphs->GetProperty("ScaleMode")->Copy(shared);
   this->Choosing = choosing;
   this->ChooseArrays(glyphs, Where::Everywhere);
-}
-
-//----------------------------------------------------------------------------
-// The lists of arrays are those of the input that the glyphs stand on, also in 3D Glyphs' properties.
-void rtglyphs::RayTracedGlyphDefaults::ListArrays(vtkSMProxy* glyphs)
-{
-  vtkSMProxy* other = Display::Representation(glyphs->GetTrueParentProxy(), "Glyph3DRepresentation");
-  if (other && this->InView)
-  {
-    const bool cells = vtkSMPropertyHelper(glyphs, "GlyphLocation").GetAsInt() != 0;
-    vtkSMProperty* input = other->GetProperty("Input");
-    const int type = cells ? vtkSMInputArrayDomain::CELL : vtkSMInputArrayDomain::POINT;
-    InputArrays::List(input->GetDomain("scale_array"), type, {});
-    InputArrays::List(input->GetDomain("vector_array"), type, { 2, 3, 4, 9 });
-    input->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
-  }
-  glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
 }

@@ -7,6 +7,7 @@
 #define RayTracedGlyphDefaults_h
 
 #include "RayTracedColoring.h"
+#include "vtkRayTracedGlyphsModule.h" // for export macro
 
 #include <set>
 #include <string>
@@ -44,6 +45,11 @@ public:
   static bool ShowsGlyphs(vtkSMProxy* display);
 
   /**
+   * Of a display; null: it has none.
+   */
+  VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
+
+  /**
    * Tubes of the display get the colors of their directions: in the window, once, when they are first shown and nothing
    * colors them.
    */
@@ -53,7 +59,7 @@ public:
    * Which arrays the glyphs of a display show, and why, where they are those that the data suggest; and what is to be
    * known of them. Sentences, none where it shows no ray-traced glyphs.
    */
-  static std::vector<std::string> Explain(vtkSMProxy* display);
+  std::vector<std::string> Explain(vtkSMProxy* display) const;
 
   /**
    * The panel shows 3D Glyphs' properties at once, and path tracing's material not with Interpolation PBR alone.
@@ -71,7 +77,6 @@ private:
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
   void ChooseArray(vtkSMProxy* glyphs, const char* name);
   void ChooseScaleMode(vtkSMProxy* glyphs);
-  void ListArrays(vtkSMProxy* glyphs);
 
   RayTracedColoring Coloring;
   std::set<std::string> Chosen; // properties that the user or a script has set

@@ -1,12 +1,18 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
 #include "GlyphArrayRoles.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMInputArrayDomain.h"
 #include "GlyphShapes.h"
 #include "vtkSMProperty.h"
@@ -147,32 +153,69 @@ int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vt
 }
 
 //----------------------------------------------------------------------------
-std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
+// Of points or of cells.
+std::vector<Array> vtkSMRayTracedArrayListDomain::InputArrays()
 {
   vtkSMProperty* input = this->GetRequiredProperty("Input");
   vtkPVDataInformation* data = input ? this->GetInputDataInformation("Input") : nullptr;
   auto* domain = input ? vtkSMInputArrayDomain::SafeDownCast(input->GetDomain(this->InputDomainName)) : nullptr;
-  std::vector<Array> arrays =
-    ArraysOf(data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr,
-      data ? data->GetBounds() : nullptr);
+  return ArraysOf(data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr,
+    data ? data->GetBounds() : nullptr);
+}
+
+//----------------------------------------------------------------------------
+std::vector<Array> vtkSMRayTracedArrayListDomain::Joined(const std::vector<Array>& arrays)
+{
   std::vector<Array> numbers;
   std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(numbers),
     [](const Array& array) { return array.Components == 1 && !array.IsColor; });
+  vtkPVDataInformation* data = numbers.empty() ? nullptr : this->GetInputDataInformation("Input");
+  return rtglyphs::GlyphArrayRoles::Join(numbers, data && AxesOf(data->GetBounds()) < 3);
+}
+
+//----------------------------------------------------------------------------
+vtkPVDataInformation* vtkSMRayTracedArrayListDomain::GetExtraDataInformation()
+{
+  // A vertex, as ParaView leaves out arrays of nothing.
+  vtkNew<vtkPolyData> columns;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  const vtkIdType point = points->InsertNextPoint(0.0, 0.0, 0.0);
+  vertices->InsertNextCell(1, &point);
+  columns->SetPoints(points);
+  columns->SetVerts(vertices);
+  for (const Array& array : this->Joined(this->InputArrays()))
+  {
+    vtkNew<vtkFloatArray> joined;
+    joined->SetName(array.Name.c_str());
+    joined->SetNumberOfComponents(array.Components);
+    joined->SetNumberOfTuples(1);
+    joined->Fill(0.0);
+    columns->GetPointData()->AddArray(joined);
+    columns->GetCellData()->AddArray(joined);
+  }
+  this->JoinedArrays->CopyFromObject(columns);
+  return this->JoinedArrays;
+}
+
+//----------------------------------------------------------------------------
+std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
+{
+  std::vector<Array> arrays = this->InputArrays();
+  const std::vector<Array> joined = this->Joined(arrays);
   const auto isMissing = [this](const Array& array)
   {
     unsigned int listed = 0;
     return this->IsInDomain(array.Name.c_str(), listed) == 0;
   };
-  const std::vector<Array> joined = rtglyphs::GlyphArrayRoles::Join(numbers, data && AxesOf(data->GetBounds()) < 3);
   const auto isPart = [&joined](const Array& array)
   {
     return std::any_of(joined.begin(), joined.end(),
       [&](const Array& whole) { return (", " + whole.Name + ',').find(", " + array.Name + ',') != std::string::npos; });
   };
-  arrays.erase(
-    std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return isMissing(array) || isPart(array); }),
-    arrays.end());
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isPart), arrays.end());
   arrays.insert(arrays.end(), joined.begin(), joined.end());
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isMissing), arrays.end());
   return arrays;
 }
 

@@ -13,12 +13,14 @@
 #ifndef __VTK_WRAP__
 #include "GlyphArrayRoles.h"
 #endif
+#include "vtkNew.h"
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMArrayListDomain.h"
 
 #include <string>
 #include <vector>
 
+class vtkPVDataInformation;
 class vtkPVDataSetAttributesInformation;
 class vtkSMProxy;
 
@@ -63,11 +65,22 @@ protected:
 
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
+  /**
+   * Columns that can be joined, as arrays of these names, for the list.
+   */
+  vtkPVDataInformation* GetExtraDataInformation() override;
+
 private:
   vtkSMRayTracedArrayListDomain(const vtkSMRayTracedArrayListDomain&) = delete;
   void operator=(const vtkSMRayTracedArrayListDomain&) = delete;
 
+#ifndef __VTK_WRAP__
+  std::vector<Array> InputArrays();
+  std::vector<Array> Joined(const std::vector<Array>& arrays);
+#endif
+
   std::string ChoiceOfArray; // the attribute `choice`
+  vtkNew<vtkPVDataInformation> JoinedArrays;
 };
 
 #endif

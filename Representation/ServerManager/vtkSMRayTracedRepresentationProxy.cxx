@@ -128,6 +128,13 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
 }
 
 //----------------------------------------------------------------------------
+std::vector<std::string> vtkSMRayTracedRepresentationProxy::Explain(vtkSMProxy* display)
+{
+  auto* shown = vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display));
+  return shown ? shown->GlyphDefaults.Explain(display) : std::vector<std::string>();
+}
+
+//----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 {
   this->GlyphDefaults.Choose(this);

@@ -32,6 +32,13 @@ public:
    */
   vtkSMRayTracedViewProxy* GetView();
 
+#ifndef __VTK_WRAP__
+  /**
+   * What is to be known of a display: RayTracedGlyphDefaults::Explain().
+   */
+  static std::vector<std::string> Explain(vtkSMProxy* display);
+#endif
+
 protected:
   vtkSMRayTracedRepresentationProxy();
   ~vtkSMRayTracedRepresentationProxy() override;

@@ -1,7 +1,6 @@
 #include "vtkSMRayTracedViewProxy.h"
 
 #include "RayTracedDefault.h"
-#include "RayTracedGlyphDefaults.h"
 #include "vtkCallbackCommand.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -24,6 +23,8 @@
 #include <chrono>
 #include <cstring>
 #include <map>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMRayTracedViewProxy);
 
@@ -336,7 +337,12 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
       vtkRayTracedRepresentation* shown = ShownBy(display);
       auto own = all;
       own.update(ofRepresentations.value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object()));
-      own["choices"] = rtglyphs::RayTracedGlyphDefaults::Explain(display);
+      std::vector<std::string> sentences = vtkSMRayTracedRepresentationProxy::Explain(display);
+      if (const std::string section = own.value("section", ""); !section.empty())
+      {
+        sentences.push_back(section);
+      }
+      own["choices"] = sentences;
       vtkSMPropertyHelper(display, "RenderStatistics").Set(own.dump().c_str());
     }
   }

@@ -8,6 +8,7 @@ import sys
 import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkMultiBlockDataSet
 
 import comparison
@@ -245,6 +246,20 @@ def tubes(view, checks):
         checks.no_message(name, session.messages(lambda: pv.Render(view)))
         checks.within("TubeRadius of " + name, shown.TubeRadius, 0.99 * wanted, 1.01 * wanted)
         pv.Delete(shown)
+    weak = lines(2.0 * grid(3, 1, 1), [(0, 1), (1, 2)])
+    session.add_arrays(weak, force=numpy.tile([3e-3, 4e-3, 0.0], (3, 1)))
+    for name, steps, properties, wanted in (("paths that grow", (lines(1e-3 * run, [range(151)]), lines(run, [range(151)])), {}, 0.15),
+                                            ("forces that grow", (weak, throats), {"TubeRadiusArray": "force"}, 0.01 * 4.0 / 5.0)):
+        view.ViewTime = 0.0
+        shown = session.show(session.source(steps[0]), view, "Ray Traced Tubes", **properties)
+        pv.Render(view)
+        for time, data in ((1.0, steps[1]), (2.0, steps[0])):
+            view.ViewTime = time
+            session.replace_data(shown.Input, data)
+            checks.no_message(name, session.messages(lambda: pv.Render(view)))
+            checks.within("TubeRadius of %s at time %g" % (name, time), shown.TubeRadius, 0.99 * wanted, 1.01 * wanted)
+        pv.Delete(shown)
+    view.ViewTime = 0.0
 
 
 def ramp(view, checks):
@@ -274,6 +289,9 @@ TABLES = (
     ("STAR-CCM+", "Velocity[i] Velocity[j] Velocity[k]", VECTORS, "Velocity[i], Velocity[j], Velocity[k]"),
     ("velocities of one letter", "U V W p", VECTORS, "U, V, W"),
     ("AMReX, yt", "xvel yvel zvel density", VECTORS, "xvel, yvel, zvel"),
+    ("Copernicus, currents", "uo vo wo thetao so", VECTORS, "uo, vo, wo"),
+    ("CMIP, winds in the plane", "ua va ta", VECTORS, "ua, va"),
+    ("GNSS, east, north, up", "ve vn vu se sn su", VECTORS, "ve, vn, vu"),
     ("heat fluxes", "x_flux y_flux z_flux T", VECTORS, "x_flux, y_flux, z_flux"),
     ("SU2", "Momentum_x Momentum_y Momentum_z", VECTORS, "Momentum_x, Momentum_y, Momentum_z"),
     ("velocities and accelerations", "id x_vel y_vel z_vel x_acc y_acc z_acc mass", VECTORS, "x_vel, y_vel, z_vel"),
@@ -308,7 +326,49 @@ def tables(view, checks):
             name.replace("_[", " ["): (8.0 * RANDOM.normal(size=100)).astype(int if "whole" in code else float) for name in names.split()}))
         session.assign_shape(shown, shape)
         session.messages(lambda: pv.Render(view))
-        checks.equal("columns of " + code, shown.SMProxy.GetProperty(where).GetElement(0), wanted.replace("_[", " [") if wanted else "None")
+        wanted = wanted.replace("_[", " [") if wanted else "None"
+        checks.equal("columns of " + code, shown.SMProxy.GetProperty(where).GetElement(0), wanted)
+        listed = shown.SMProxy.GetProperty(where).GetDomain("array_list")
+        listed = [listed.GetString(i) for i in range(listed.GetNumberOfStrings())]
+        checks.true("the list of %s lacks %s: %s" % (code, wanted, listed), wanted in listed or where == DIRECTION)  # DIRECTION's domain is 3D Glyphs'
+    pv.Delete(shown)
+
+
+#: what is set -> the sentence that says that it has no effect, or what it does
+IDLE = (
+    ({"PeriodicImages": [1, 0, 0]}, "PeriodicImages has no effect"),
+    ({"PeriodicBoundary": 1}, "PeriodicBoundary has no effect"),
+    ({"PeriodicBoundary": 1, "PeriodicImages": [1, 0, 0]}, "Periodic box by the bounds of the points"),
+    ({"PeriodicBoundary": 1, "PeriodicImages": [1, 0, 0], "PeriodicVectors": [4.0, 0, 0, 0, 4.0, 0, 0, 0, 4.0]}, None),
+    ({"PeriodicBoundary": 1, "ShadingMode": "Ambient Occlusion", "AmbientOcclusionRadius": 1.0, "PeriodicVectors": [4.0, 0, 0, 0, 4.0, 0, 0, 0, 4.0]}, None),
+    ({"Section": "Plane", "SectionOrigin": [9.0, 0.0, 0.0]}, "Section has no effect"),
+    ({"Section": "Plane", "SectionOrigin": [-9.0, 0.0, 0.0]}, "Section cuts off all"),
+    ({"Section": "Plane", "SectionOrigin": [3.2, 0.0, 0.0]}, None),  # outside the points, inside their glyphs
+    ({"Section": "Box", "SectionPosition": [-1.0] * 3, "SectionLength": [5.0] * 3}, "Section has no effect"),
+    ({"Section": "Box", "SectionPosition": [-1.0] * 3, "SectionLength": [5.0] * 3, "SectionInvert": 0}, "Section cuts off all"),
+    ({"Section": "Box", "SectionPosition": [0.0] * 3, "SectionLength": [2.0, 0.0, 0.0], "SectionInvert": 0}, None),
+)
+
+
+def idle(view, checks):
+    """Statistics says what is set and has no effect."""
+    for properties, wanted in IDLE:
+        shown = session.glyphs(session.source(session.poly_data(grid(4, 4, 4))), view, "Sphere", ScaleFactor=0.9, **properties)
+        checks.no_message("%s" % properties, session.messages(lambda: (pv.ResetCamera(view), pv.Render(view))))
+        said = [sentence for sentence in session.statistics(shown)["choices"] if "eriodic" in sentence or "Section" in sentence]
+        checks.true("%s says %s, not %s" % (properties, said, wanted), len(said) == (1 if wanted else 0) and all(wanted in sentence for sentence in said))
+        pv.Delete(shown)
+    view.ViewTime = 0.0
+    boxed = session.poly_data(grid(4, 4, 4))
+    lattice = vtkDoubleArray()
+    lattice.SetName("Lattice")
+    lattice.SetNumberOfComponents(3)
+    for i in range(3):
+        lattice.InsertNextTuple([4.0 * (i == k) for k in range(3)])
+    boxed.GetFieldData().AddArray(lattice)
+    shown = session.glyphs(session.source(boxed), view, "Sphere", PeriodicBoundary=1, PeriodicImages=[1, 0, 0])
+    pv.Render(view)
+    checks.true("a box of the data: %s" % session.statistics(shown)["choices"], not any("eriodic" in each for each in session.statistics(shown)["choices"]))
     pv.Delete(shown)
 
 
@@ -398,6 +458,9 @@ ROWS = (
         box(), b=numpy.ones(100), FA=RANDOM.uniform(size=100), _rgba=numpy.ones((100, 4), numpy.uint8),
         mask=(RANDOM.uniform(size=100) > 0.5).astype(numpy.int8), vtkGhostType=numpy.zeros(100, numpy.uint8)), Scalars="_rgba"),
         SIZED, {"SelectScaleArray": "FA"}),
+    Row("halos of dark matter", lambda: session.poly_data(100.0 * box(), mvir=10.0**RANDOM.uniform(10.0, 15.0, 100), rvir=RANDOM.uniform(50.0, 900.0, 100),
+                                                         vel=300.0 * RANDOM.normal(size=(100, 3))),
+        SIZED, {"SelectScaleArray": "rvir"}, (1e-4, 0.2 * 100.0 / 800.0)),
     # Directions
     Row("vectors of two components", lambda: session.poly_data(grid(8, 8, 1), VELOCITY=RANDOM.normal(size=(64, 2))),
         {**ARROWS, "MotionBlur": 1}, {"SelectOrientationVectors": "VELOCITY", "SelectScaleArray": "VELOCITY", "VelocityArray": "VELOCITY"},
@@ -441,7 +504,7 @@ def main(words):
     for row in ROWS:
         if not words or any(word in row.name for word in words):
             row.check(view, checks)
-    for part in (orders, tables, tubes, periodic, ramp, shuffled):
+    for part in (orders, tables, idle, tubes, periodic, ramp, shuffled):
         if not words or part.__name__ in words:
             part(view, checks)
     checks.report()

@@ -11,6 +11,7 @@ import paraview.simple as pv
 from paraview import smtrace
 
 import comparison
+import scale_guess
 import session
 from cases import grid, unit
 from checks import Checks, stepwise
@@ -286,7 +287,7 @@ ROWS = (
         {DIRECTION: "linVelVec"}, "linVelVec", 300, ("Direction by linVelVec: its name", )),
     Row("MFIX", lambda: vtp("mfix.vtp", PLACES, Diameter=RANDOM.uniform(0.004, 0.008, 300), Density=numpy.full(300, 2500.0), Particle_ID=NUMBERS,
                             Velocity=v_of(300)), {DIRECTION: "Velocity", SIZE: "Diameter"}, "Diameter", 300, GlyphType="Sphere", ScaleMode="Magnitude"),
-    Row("OpenFOAM", openfoam, {DIRECTION: "U"}, "p", None, ("Direction by U", )),
+    Row("OpenFOAM", openfoam, {DIRECTION: "U"}, "p", None, ("Direction by U", "Color by p: the array that ParaView chose")),
     Row("foamToVTK, cloud", lambda: vtp("cloud.vtp", PLACES, U=v_of(300), d=RANDOM.uniform(1e-3, 4e-3, 300), origId=NUMBERS, rho=numpy.full(300, 1000.0)),
         {DIRECTION: "U"}, "U", 300),
     Row("SU2", lambda: vtu("su2.vtu", SIDES, 0.1, {"Density": numpy.ones(120), "Momentum": 1.2 * swirl(NODES), "Pressure": NODES[:, 0],
@@ -324,8 +325,25 @@ ROWS = (
                                                     - numpy.where(numpy.arange(60) % 20 == 0, 5e-4, 0.0)[:, None] * numpy.eye(3).reshape(-1)),
         {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("5 % of the tensors have a negative eigenvalue, drawn as a positive one; their fractional "
                                                        "anisotropy may pass 1", ), GlyphShape="Tensor Superquadric"),
+    Row("OOMMF, directions of magnetization", lambda: vti("spins.vti", (8, 8, 1), m=unit(64, 3)), {DIRECTION: "m"}, "Axes", 64, ("Direction by m", "Color by direction")),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
 )
+
+
+def load(view, checks):
+    """Colors of a load that is zero at first, and of one that then grows: the first range that there is counts."""
+    source = pv.Calculator(Input=scale_guess.series((0.0, 6, 0.0), (1.0, 6, 2.0), (2.0, 6, 4.0)), Function="s*coords", ResultArrayName="load")
+    view.ViewTime = 0.0
+    shown = stepwise(pv.Show(source, view))
+    shown.SetRepresentationType("Ray Traced Glyphs")
+    for time, largest in ((0.0, None), (1.0, 2.0), (2.0, 2.0), (0.0, 2.0)):
+        view.ViewTime = time
+        session.messages(lambda: pv.Render(view))
+        checks.equal("color of a load at time %g" % time, shown.ColorArrayName.GetArrayName(), "load")
+        if largest:
+            checks.within("largest color of a load at time %g" % time, pv.GetColorTransferFunction("load").RGBPoints[-4], 0.99 * largest * 2.5 * 3.0**0.5, 1.01 * largest * 2.5 * 3.0**0.5)
+    view.ViewTime = 0.0
+    pv.Delete(shown)
 
 
 def main(words):
@@ -347,6 +365,8 @@ def main(words):
         row, column = divmod(i, COLUMNS)
         sheet[row * HEIGHT:(row + 1) * HEIGHT, column * WIDTH:(column + 1) * WIDTH] = pixels
     comparison.write_image(session.output("corpus.png"), sheet)
+    if not words or "load" in words:
+        load(view, checks)
     checks.report()
 
 

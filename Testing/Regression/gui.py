@@ -9,6 +9,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
 
+import numpy  # noqa: E402
 import paraview.simple as pv  # noqa: E402
 from paraview import smtrace  # noqa: E402
 
@@ -74,7 +75,7 @@ def main():
     failures += panel(window, view, reader, shown)
     failures += clicked(window, view, shown)
     failures += parts(window, view, reader, shown)
-    failures += sized(window, view, shown)
+    failures += sized(window, view, reader, shown)
     failures += buttons(window, view, reader, shown)
     return failures
 
@@ -159,7 +160,7 @@ def colored(window, view, shown):
     return failures
 
 
-def sized(window, view, shown):
+def sized(window, view, reader, shown):
     """Size By sets array and mode, and says None while a mode leaves the array unused; split vectors are those of Direction By."""
     failures = []
     session.assign_shape(shown, "Sphere")
@@ -173,6 +174,16 @@ def sized(window, view, shown):
         chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
         if not chosen or not window.wait(lambda: str(shown.SelectOrientationVectors).strip("'") == choice, 5):
             failures.append("Direction By %s of Split Vector: %s" % (choice, shown.SelectOrientationVectors))
+    columns = session.source(session.poly_data(numpy.eye(3), **{name + axis: numpy.ones(3) for name in "fv" for axis in "xyz"}))
+    joined = session.glyphs(columns, view, "Arrow")
+    pv.SetActiveSource(columns)
+    for choice in ("fx, fy, fz", "vx, vy, vz"):
+        chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
+        if not chosen or not window.wait(lambda: str(joined.SelectOrientationVectors).strip("'") == choice, 5):
+            failures.append("Direction By %s of columns: %s" % (choice, joined.SelectOrientationVectors))
+    pv.Delete(joined)
+    pv.Delete(columns)
+    pv.SetActiveSource(reader)
     return failures
 
 

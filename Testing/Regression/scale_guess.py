@@ -189,6 +189,21 @@ def growing(checks):
         checks.equal("factor of the ramp at time %g, seen again" % time, factor(shown, view), factors[-1])
     pv.Delete(view)
 
+    # A spray, a single particle first: glyphs grow with the space that the points fill, but not back and forth.
+    for what, steps, wanted in (("a spray", ((0.0, SIDE, 1e-3), (1.0, SIDE, 2e-3), (2.0, SIDE, 1.0), (3.0, SIDE, 2.0)), (1, 1, 1e3, 1e3)),
+                                ("a first particle", ((0.0, 1, 1.0), (1.0, SIDE, 1e3)), (1.0 / 0.45, 1e3))):
+        view = session.view(80, 60)
+        shown = session.glyphs(pv.Calculator(Input=series(*steps), CoordinateResults=1, Function="coords*s"), view, Orient=0)
+        pv.Render(view)
+        for (time, _, _), first in zip(steps, wanted):
+            view.ViewTime = time
+            checks.within("factor of %s at time %g" % (what, time), factor(shown, view), 0.9 * PLAIN * first * steps[0][2], 1.1 * PLAIN * first * steps[0][2])
+        last = factor(shown)
+        for time, _, _ in steps:
+            view.ViewTime = time
+            checks.equal("factor of %s at time %g, seen again" % (what, time), factor(shown, view), last)
+        pv.Delete(view)
+
     # The first steps of an impact, in which grains creep.
     view = session.view(80, 60)
     source = pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact.vtk.series")
