@@ -63,9 +63,6 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsArray::~pqRayTracedGlyphsArray() = default;
-
-//----------------------------------------------------------------------------
 void pqRayTracedGlyphsArray::setArray(const QString& array)
 {
   this->Array = array;
