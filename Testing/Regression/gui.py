@@ -133,7 +133,7 @@ def panel(window, view, reader, shown):
     if sections != SECTIONS:
         failures.append("the panel's sections are %s" % sections)
     shown.SetRepresentationType("Ray Traced Tubes")
-    tubes = ["Ray Traced Object", "Tube Radius", "Radius By", "Motion", "Motion Blur", "Ray Traced Image (Whole View)", "Quality"]
+    tubes = ["Ray Traced Object", "Tube Radius", "Radius By", "Color By Direction", "Motion", "Motion Blur", "Ray Traced Image (Whole View)", "Quality"]
     if not window.wait(lambda: [label for label in window.labels("propertiesPanel") if label in tubes] == tubes, 5):
         failures.append("the panel of tubes shows %s" % window.labels("propertiesPanel"))
     shown.SetRepresentationType("Surface")
