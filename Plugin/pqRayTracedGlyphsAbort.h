@@ -79,8 +79,6 @@ private Q_SLOTS:
   void abortPressed();
 
 private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsAbort)
-
   void Listen();
 
   vtkNew<vtkEventQtSlotConnect> Observers;

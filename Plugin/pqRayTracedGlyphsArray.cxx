@@ -76,9 +76,6 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsArray::~pqRayTracedGlyphsArray() = default;
-
-//----------------------------------------------------------------------------
 void pqRayTracedGlyphsArray::setArray(const QString& array)
 {
   this->Array = array;

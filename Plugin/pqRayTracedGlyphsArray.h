@@ -22,7 +22,6 @@ class pqRayTracedGlyphsArray : public pqPropertyWidget
 
 public:
   pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMProperty* property, QWidget* parent = nullptr);
-  ~pqRayTracedGlyphsArray() override;
 
   QString array() const { return this->Array; }
   void setArray(const QString& array);
@@ -42,8 +41,6 @@ private Q_SLOTS:
   void choose(int entry);
 
 private: // NOLINT(readability-redundant-access-specifiers)
-  Q_DISABLE_COPY(pqRayTracedGlyphsArray)
-
   void Show();
 
   QComboBox* Arrays;

@@ -35,15 +35,6 @@ void CheckServer(pqServer* server)
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsDevice::pqRayTracedGlyphsDevice(QObject* parent)
-  : QObject(parent)
-{
-}
-
-//----------------------------------------------------------------------------
-pqRayTracedGlyphsDevice::~pqRayTracedGlyphsDevice() = default;
-
-//----------------------------------------------------------------------------
 // Plugins are loaded before the window is shown, and drivers take some tenths of a second: events come first. What is
 // missing is said when something is to be drawn, which a server may do.
 void pqRayTracedGlyphsDevice::startup()
@@ -64,6 +55,3 @@ void pqRayTracedGlyphsDevice::startup()
     CheckServer(server);
   }
 }
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsDevice::shutdown() {}

@@ -15,14 +15,10 @@ class pqRayTracedGlyphsDevice : public QObject
   Q_OBJECT
 
 public:
-  pqRayTracedGlyphsDevice(QObject* parent = nullptr);
-  ~pqRayTracedGlyphsDevice() override;
+  using QObject::QObject;
 
   void startup();
-  void shutdown();
-
-private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsDevice)
+  void shutdown() {}
 };
 
 #endif

@@ -22,9 +22,6 @@ pqRayTracedGlyphsEntries::pqRayTracedGlyphsEntries(vtkPVXMLElement* xml, pqPrope
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsEntries::~pqRayTracedGlyphsEntries() = default;
-
-//----------------------------------------------------------------------------
 void pqRayTracedGlyphsEntries::enable()
 {
   const pqPropertyWidget* row = this->parentWidget();

@@ -19,13 +19,9 @@ class pqRayTracedGlyphsEntries : public pqPropertyWidgetDecorator
 
 public:
   pqRayTracedGlyphsEntries(vtkPVXMLElement* xml, pqPropertyWidget* row);
-  ~pqRayTracedGlyphsEntries() override;
 
 private Q_SLOTS:
   void enable();
-
-private: // NOLINT(readability-redundant-access-specifiers)
-  Q_DISABLE_COPY(pqRayTracedGlyphsEntries)
 };
 
 #endif

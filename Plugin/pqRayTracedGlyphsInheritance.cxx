@@ -83,15 +83,6 @@ void CopySettings(vtkSMProxy* from, vtkSMProxy* to)
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsInheritance::pqRayTracedGlyphsInheritance(QObject* parent)
-  : QObject(parent)
-{
-}
-
-//----------------------------------------------------------------------------
-pqRayTracedGlyphsInheritance::~pqRayTracedGlyphsInheritance() = default;
-
-//----------------------------------------------------------------------------
 // ParaView makes displays while a panel says that it was applied.
 void pqRayTracedGlyphsInheritance::startup()
 {

@@ -21,8 +21,7 @@ class pqRayTracedGlyphsInheritance : public QObject
   Q_OBJECT
 
 public:
-  pqRayTracedGlyphsInheritance(QObject* parent = nullptr);
-  ~pqRayTracedGlyphsInheritance() override;
+  using QObject::QObject;
 
   ///@{
   /**
@@ -33,8 +32,6 @@ public:
   ///@}
 
 private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsInheritance)
-
   void added(pqRepresentation* display);
   void inherit();
 

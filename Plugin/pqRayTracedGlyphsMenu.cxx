@@ -125,15 +125,6 @@ void AddSurface(pqOutputPort* port, pqView* view)
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsMenu::pqRayTracedGlyphsMenu(QObject* parent)
-  : QObject(parent)
-{
-}
-
-//----------------------------------------------------------------------------
-pqRayTracedGlyphsMenu::~pqRayTracedGlyphsMenu() = default;
-
-//----------------------------------------------------------------------------
 bool pqRayTracedGlyphsMenu::contextMenu(
   QMenu* menu, pqView* view, const QPoint& place, pqRepresentation* display, const QList<unsigned int>&) const
 {

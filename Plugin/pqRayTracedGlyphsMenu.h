@@ -22,14 +22,10 @@ class pqRayTracedGlyphsMenu
   Q_INTERFACES(pqContextMenuInterface)
 
 public:
-  pqRayTracedGlyphsMenu(QObject* parent = nullptr);
-  ~pqRayTracedGlyphsMenu() override;
+  using QObject::QObject;
 
   bool contextMenu(QMenu* menu, pqView* view, const QPoint& place, pqRepresentation* display,
     const QList<unsigned int>& blocks) const override;
-
-private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsMenu)
 };
 
 #endif

@@ -120,6 +120,3 @@ pqRayTracedGlyphsReference::pqRayTracedGlyphsReference(QWidget* parent)
   layout->addWidget(browser);
   this->resize(this->fontMetrics().averageCharWidth() * 120, this->fontMetrics().height() * 45);
 }
-
-//----------------------------------------------------------------------------
-pqRayTracedGlyphsReference::~pqRayTracedGlyphsReference() = default;

@@ -15,10 +15,6 @@ class pqRayTracedGlyphsReference : public QDialog
 
 public:
   pqRayTracedGlyphsReference(QWidget* parent = nullptr);
-  ~pqRayTracedGlyphsReference() override;
-
-private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsReference)
 };
 
 #endif

@@ -59,9 +59,6 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsRefinement::~pqRayTracedGlyphsRefinement() = default;
-
-//----------------------------------------------------------------------------
 pqRayTracedGlyphsRefinement* pqRayTracedGlyphsRefinement::instance()
 {
   return onlyOne;
@@ -115,7 +112,7 @@ void pqRayTracedGlyphsRefinement::viewAdded(pqView* view)
 {
   if (qobject_cast<pqRenderView*>(view))
   {
-    QObject::connect(view, &pqView::beginRender, this, &pqRayTracedGlyphsRefinement::renderStarted);
+    QObject::connect(view, &pqView::beginRender, this, [this]() { this->Abort.renderStarted(); });
     QObject::connect(view, &pqView::endRender, this, &pqRayTracedGlyphsRefinement::rendered);
   }
 }
@@ -137,10 +134,15 @@ void pqRayTracedGlyphsRefinement::proxyAdded(pqProxy* proxy)
   if (auto* scene = qobject_cast<pqAnimationScene*>(proxy))
   {
     using Played = void (pqAnimationScene::*)(vtkObject*, unsigned long, void*, void*);
+    // Each step of an animation shows what there is time for; the last one is finished.
     QObject::connect(
-      scene, static_cast<Played>(&pqAnimationScene::beginPlay), this, &pqRayTracedGlyphsRefinement::playStarted);
-    QObject::connect(
-      scene, static_cast<Played>(&pqAnimationScene::endPlay), this, &pqRayTracedGlyphsRefinement::playEnded);
+      scene, static_cast<Played>(&pqAnimationScene::beginPlay), this, [this]() { this->Playing = true; });
+    QObject::connect(scene, static_cast<Played>(&pqAnimationScene::endPlay), this,
+      [this]()
+      {
+        this->Playing = false;
+        this->Timer.start();
+      });
   }
 }
 
@@ -207,12 +209,6 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
 //****************************************************************************
 // Refinement
 //****************************************************************************
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::renderStarted()
-{
-  this->Abort.renderStarted();
-}
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsRefinement::rendered()
@@ -311,26 +307,9 @@ void pqRayTracedGlyphsRefinement::Render(const Part& part)
     part.View->forceRender();
     return;
   }
-  this->renderStarted();
+  this->Abort.renderStarted();
   part.Proxy->StillRender();
   this->Look(part);
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::playStarted()
-{
-  this->Playing = true;
-}
-
-//----------------------------------------------------------------------------
-// Each step of the animation has shown what there was time for; the last one is finished.
-void pqRayTracedGlyphsRefinement::playEnded()
-{
-  this->Playing = false;
-  if (!this->Waiting.empty())
-  {
-    this->Timer.start();
-  }
 }
 
 //****************************************************************************

@@ -33,7 +33,6 @@ class pqRayTracedGlyphsRefinement : public QObject
 
 public:
   pqRayTracedGlyphsRefinement(QObject* parent = nullptr);
-  ~pqRayTracedGlyphsRefinement() override;
 
   void startup();
   void shutdown();
@@ -46,7 +45,6 @@ public:
   struct Image
   {
     vtkSMProxy* Display = nullptr;            ///< one of its visible ray-traced displays; null: there is none
-    int Samples = 0, Wanted = 0;              ///< a pixel: so far, in the end
     bool Refined = false;                     ///< more are being traced
     QString Words;                            ///< how far it is, or what it waits for
     double Progress = 1.0;                    ///< in [0, 1]
@@ -75,16 +73,11 @@ private Q_SLOTS:
   void viewAdded(pqView* view);
   void representationAdded(pqRepresentation* representation);
   void proxyAdded(pqProxy* proxy);
-  void renderStarted();
   void rendered();
-  void playStarted();
-  void playEnded();
   void step();
   void rested();
 
 private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsRefinement)
-
   // A view of its own, or one of a comparative view's.
   struct Part
   {

@@ -15,6 +15,7 @@ pqRayTracedGlyphsStatistics::pqRayTracedGlyphsStatistics(vtkSMProxy* display, vt
   , Words(new QLabel(this))
 {
   this->setProperty(property);
+  this->setShowLabel(false); // the section's title says it
   this->Words->setObjectName("Words");
   this->Words->setWordWrap(true);
   this->Words->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -23,9 +24,6 @@ pqRayTracedGlyphsStatistics::pqRayTracedGlyphsStatistics(vtkSMProxy* display, vt
   layout->addWidget(this->Words);
   this->addPropertyLink(this, "statistics", SIGNAL(unused()), property);
 }
-
-//----------------------------------------------------------------------------
-pqRayTracedGlyphsStatistics::~pqRayTracedGlyphsStatistics() = default;
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsStatistics::setStatistics(const QString& json)
@@ -40,7 +38,7 @@ void pqRayTracedGlyphsStatistics::setStatistics(const QString& json)
   }
   this->Words->setText(numbers.isEmpty() ? tr("No picture yet")
                                          : choices.join("") +
-        tr("%1\n%2 samples per pixel\n%3 glyphs\n%4 for glyphs and images on the device")
+        tr("%1\nSamples per pixel: %2\nGlyphs: %3\nDevice memory: %4")
           .arg(numbers.value("DeviceName").toString(), number("AccumulatedSamples"), number("glyphs"),
             QLocale().formattedDataSize(static_cast<qint64>(numbers.value("deviceBytes").toDouble()))));
 }

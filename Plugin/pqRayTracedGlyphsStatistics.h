@@ -16,7 +16,6 @@ class pqRayTracedGlyphsStatistics : public pqPropertyWidget
 
 public:
   pqRayTracedGlyphsStatistics(vtkSMProxy* display, vtkSMProperty* property, QWidget* parent = nullptr);
-  ~pqRayTracedGlyphsStatistics() override;
 
   QString statistics() const { return this->Statistics; }
   void setStatistics(const QString& json);
@@ -25,8 +24,6 @@ Q_SIGNALS:
   void unused(); // read only
 
 private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsStatistics)
-
   QLabel* Words;
   QString Statistics;
 };

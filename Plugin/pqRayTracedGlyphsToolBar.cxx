@@ -103,9 +103,6 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsToolBar::~pqRayTracedGlyphsToolBar() = default;
-
-//----------------------------------------------------------------------------
 QAction* pqRayTracedGlyphsToolBar::AddButton(const QString& name, const QString& toolTip)
 {
   QAction* action = this->addAction(name);

@@ -24,7 +24,6 @@ class pqRayTracedGlyphsToolBar : public QToolBar
 
 public:
   pqRayTracedGlyphsToolBar(QWidget* parent = nullptr);
-  ~pqRayTracedGlyphsToolBar() override;
 
 private Q_SLOTS:
   void follow(const pqView* view);
@@ -32,8 +31,6 @@ private Q_SLOTS:
   void stop();
 
 private:
-  Q_DISABLE_COPY(pqRayTracedGlyphsToolBar)
-
   QAction* AddButton(const QString& name, const QString& toolTip);
   void TellTime(const pqRayTracedGlyphsRefinement::Image& image);
 

@@ -111,6 +111,8 @@ public:
   }
 };
 
+constexpr double fewLines = 12.0; // do not hide each other
+
 // Values of TubeRadius: from zero to a few times what the data suggest. Required properties: Input, and Array, the name
 // of an array of points or cells that the radius is multiplied by. The default is such that the thickest tube has a
 // radius of `scale_factor` times the longest side of the data.
@@ -161,7 +163,7 @@ public:
   }
 
 private:
-  // Of the array of points of that name, or else of cells; 1 where there is none.
+  // Of the array of points of that name, or else of cells. Where there is none, many lines are thinner.
   double LargestValue()
   {
     vtkSMProperty* named = this->GetRequiredProperty("Array");
@@ -175,7 +177,13 @@ private:
     }
     const double* range = array ? array->GetComponentFiniteRange(array->GetNumberOfComponents() > 1 ? -1 : 0) : nullptr;
     const double largest = range ? std::max(std::abs(range[0]), std::abs(range[1])) : 1.0;
-    return rtg::IsPositive(largest) ? largest : 1.0;
+    if (array || !data)
+    {
+      return rtg::IsPositive(largest) ? largest : 1.0;
+    }
+    // Cells may be single pieces of lines.
+    const double lines = std::min<double>(data->GetNumberOfCells(), data->GetNumberOfPoints() / 32.0);
+    return std::max(1.0, std::cbrt(lines / fewLines));
   }
 
   double Suggested = 0.0; // 0: nothing

@@ -167,11 +167,11 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     }
   };
   // What ParaView has for points, lines, textures and back faces has no effect on what is ray traced.
-  decorate(
-    { "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray", "SelectNormalArray",
-      "SelectTangentArray", "Texture", "RepeatTextures", "InterpolateTextures", "SeamlessU", "SeamlessV",
-      "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture", "FlipTextures", "EdgeColor",
-      "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" },
+  decorate({ "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray",
+             "SelectNormalArray", "SelectTangentArray", "Texture", "RepeatTextures", "InterpolateTextures", "SeamlessU",
+             "SeamlessV", "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture",
+             "FlipTextures", "EdgeColor", "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor",
+             "BackfaceOpacity", "Triangulate", "UseShaderReplacements", "CoordinateShiftScaleMethod" },
     "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" +
       where("Representation", "Ray Traced Glyphs", "inverse='1'") +
       where("Representation", "Ray Traced Surface", "inverse='1'") +

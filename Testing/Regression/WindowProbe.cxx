@@ -40,6 +40,7 @@ namespace
 QWidget* Find(const char* path)
 {
   const QString name = QString(path).section('/', -1), outer = QString(path).section('/', -2, -2);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // rows may be about to move
   for (QWidget* widget : QApplication::allWidgets())
   {
     bool inside = outer.isEmpty();

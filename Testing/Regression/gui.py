@@ -134,9 +134,12 @@ def panel(window, view, reader, shown):
     if sections != SECTIONS:
         failures.append("the panel's sections are %s" % sections)
     shown.SetRepresentationType("Ray Traced Tubes")
-    tubes = ["Ray Traced Object", "Tube Radius", "Radius By", "Motion", "Motion Blur", "Ray Traced Image (Whole View)", "Quality"]
+    tubes = ["Ray Traced Object", "Tube Radius", "Radius By", "Color By Direction", "Motion", "Motion Blur", "Ray Traced Image (Whole View)", "Quality"]
     if not window.wait(lambda: [label for label in window.labels("propertiesPanel") if label in tubes] == tubes, 5):
         failures.append("the panel of tubes shows %s" % window.labels("propertiesPanel"))
+    shown.SetRepresentationType("Surface")
+    if not window.wait(lambda: not {"Statistics", *SECTIONS[1:]} & set(window.labels("propertiesPanel")), 5):
+        failures.append("the panel of an ordinary surface shows %s" % window.labels("propertiesPanel"))
     shown.SetRepresentationType(session.REPRESENTATION)
     shown.Visibility = 1
     return failures

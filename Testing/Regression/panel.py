@@ -11,7 +11,7 @@ from checks import Checks
 
 MATERIAL = ("Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor")
 #: some of those that have an effect on surfaces of polygons alone
-OTHERS = {"PointSize", "LineWidth", "EdgeColor", "BackfaceOpacity", "SelectTangentArray", "SeamlessU"}
+OTHERS = {"PointSize", "LineWidth", "EdgeColor", "BackfaceOpacity", "SelectTangentArray", "SeamlessU", "Triangulate", "UseShaderReplacements", "CoordinateShiftScaleMethod"}
 GROUPS, LIGHTING, GLYPHS = ("Ray Traced Image (Whole View)",), "Lighting", "Glyph Parameters"
 #: what both kinds of glyphs have
 SHARED = {"Orient", "OrientationMode", "SelectOrientationVectors", "Scaling", "ScaleMode", "ScaleFactor", "SelectScaleArray", "GlyphType",
@@ -117,6 +117,7 @@ def main():
                 ours, traced = kind != "Surface", kind != "Surface" and mode == "Path Tracing"
                 checks.equal(what + "ShadingMode", "ShadingMode" in found, ours)
                 checks.equal(what + "MaximumBounces", "MaximumBounces" in found, traced)
+                checks.equal(what + "Statistics", panel(shown, "Statistics"), {"RenderStatistics"} if ours else set())
                 checks.equal(what + "rows of other kinds of displays", panel(shown) & OTHERS, set() if ours else OTHERS)
                 material = panel(shown, LIGHTING) & set(MATERIAL)
                 checks.equal(what + "material", material, set(MATERIAL) if traced or interpolation == "PBR" else set())

@@ -232,7 +232,7 @@ def blocks(view, checks):
 
 
 def default_radius(view, checks):
-    """A hundredth of the longest side; with an array the thickest tube has it; what is set stays."""
+    """A hundredth of the longest side; with an array the thickest tube has it; what is set stays; many lines are thinner."""
     data = line_data([[(-2.0, 0, 0), (0, 1, 0), (2.0, 0, 0)]], force=numpy.array([10.0, 500.0, 0.0]))
     shown = show(session.source(data), view)
     checks.within("TubeRadius", shown.TubeRadius, 0.04 - 1e-9, 0.04 + 1e-9)
@@ -242,6 +242,11 @@ def default_radius(view, checks):
     shown.TubeRadiusArray = "None"
     checks.equal("TubeRadius that was set", shown.TubeRadius, 0.001)
     pv.Delete(shown)
+    for pieces, wanted in ((39, 0.005), (1, 0.01)):  # 96 lines, or as many pieces
+        ways = [[(10.0 * i / pieces, 0.01 * y, 0.0) for i in range(pieces + 1)] for y in range(96)]
+        shown = show(session.source(line_data(ways)), view)
+        checks.within("TubeRadius of lines of %d pieces" % pieces, shown.TubeRadius, 9.999 * wanted, 10.001 * wanted)
+        pv.Delete(shown)
 
 
 def bounds(view, checks):
