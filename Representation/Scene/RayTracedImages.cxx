@@ -1,5 +1,9 @@
 #include "RayTracedImages.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkProcessModule.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -10,14 +14,24 @@ constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
 constexpr std::uint64_t keptFrames = 6;
 
-// The device lives as long as the process, and with it its compiled programs: a view that is opened after the last one
-// with glyphs was closed waits for none of them. At exit it is not destroyed, because its driver may be unloaded by
-// then.
+// The device lives as long as ParaView, and with it its compiled programs: a view that is opened after the last one with
+// glyphs was closed waits for none of them. ParaView's end lets it go, after what is being compiled: later, the driver
+// destroys what threads that compile would use.
 std::shared_ptr<rtg::Device> DeviceOfProcess()
 {
   static auto* const kept = new std::shared_ptr<rtg::Device>;
-  *kept = rtg::Device::Shared();
-  return *kept;
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  if (vtkProcessModule* const module = vtkProcessModule::GetProcessModule())
+  {
+    if (!*kept)
+    {
+      vtkNew<vtkCallbackCommand> end;
+      end->SetCallback([](vtkObject*, unsigned long, void*, void*) { kept->reset(); });
+      module->AddObserver(vtkCommand::ExitEvent, end);
+    }
+    *kept = device;
+  }
+  return device;
 }
 }
 
