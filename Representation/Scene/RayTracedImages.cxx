@@ -14,20 +14,23 @@ constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
 constexpr std::uint64_t keptFrames = 6;
 
-// The device lives as long as ParaView, and with it its compiled programs: a view that is opened after the last one with
-// glyphs was closed waits for none of them. ParaView's end lets it go, after what is being compiled: later, the driver
-// destroys what threads that compile would use.
+// The device lives as long as ParaView's session, and with it its compiled programs: a view that is opened after the last
+// one with glyphs was closed waits for none of them. The end of the session lets it go, after what is being compiled:
+// later, the driver destroys what threads that compile would use. Scripts may exit when they have disconnected.
 std::shared_ptr<rtg::Device> DeviceOfProcess()
 {
   static auto* const kept = new std::shared_ptr<rtg::Device>;
+  static const vtkNew<vtkCallbackCommand> end;
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   if (vtkProcessModule* const module = vtkProcessModule::GetProcessModule())
   {
-    if (!*kept)
+    end->SetCallback([](vtkObject*, unsigned long, void*, void*) { kept->reset(); });
+    for (const auto event : { vtkCommand::ExitEvent, vtkCommand::ConnectionClosedEvent })
     {
-      vtkNew<vtkCallbackCommand> end;
-      end->SetCallback([](vtkObject*, unsigned long, void*, void*) { kept->reset(); });
-      module->AddObserver(vtkCommand::ExitEvent, end);
+      if (!module->HasObserver(event, end))
+      {
+        module->AddObserver(event, end);
+      }
     }
     *kept = device;
   }
