@@ -122,6 +122,7 @@ def main():
         checks.covered("another camera: while programs are compiled", seen, 0.2)
     checks.covered("another camera", finished(checks, view, shown, "another camera"), 0.2)
 
+    shown.GroundShadow = 0
     session.assign_shape(shown, "Box")
     window, said, saved = view.SMProxy.GetRenderWindow(), [], []
     observer = window.AddObserver("AbortCheckEvent", lambda *_: window.SetAbortRender(1))
