@@ -14,9 +14,10 @@ constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
 constexpr std::uint64_t keptFrames = 6;
 
-// The device lives as long as ParaView's session, and with it its compiled programs: a view that is opened after the last
-// one with glyphs was closed waits for none of them. The end of the session lets it go, after what is being compiled:
-// later, the driver destroys what threads that compile would use. Scripts may exit when they have disconnected.
+// The device lives as long as ParaView's session, and with it its compiled programs: a view that is opened after the
+// last one with glyphs was closed waits for none of them. The end of the session lets it go, after what is being
+// compiled: later, the driver destroys what threads that compile would use. Scripts may exit when they have
+// disconnected.
 std::shared_ptr<rtg::Device> DeviceOfProcess()
 {
   static auto* const kept = new std::shared_ptr<rtg::Device>;

@@ -56,8 +56,8 @@ bool ArePlaces(vtkPVArrayInformation* array, const double bounds[6])
   return same;
 }
 
-// By name, because of equal candidates the first is chosen: ParaView 5 has them so, ParaView 6 in the order of the data.
-// Null attributes have none; `bounds` may be null.
+// By name, because of equal candidates the first is chosen: ParaView 5 has them so, ParaView 6 in the order of the
+// data. Null attributes have none; `bounds` may be null.
 std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const double* bounds)
 {
   std::vector<Array> arrays;

@@ -8,7 +8,8 @@
 // vkGetPipelineCacheData, which answers VK_ERROR_OUT_OF_HOST_MEMORY, or mmap: vkMapMemory then answers VK_SUCCESS and
 // maps nothing, as lavapipe's does where the computer has no memory left.
 //
-// Where a device is left when the process destroys what is static, the layer says so and ends the process with status 1.
+// Where a device is left when the process destroys what is static, the layer says so and ends the process with
+// status 1.
 //
 // It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties(), Properties2() and
 // Features2(). And where RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
