@@ -1,5 +1,9 @@
 #include "RayTracedImages.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkProcessModule.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -10,14 +14,28 @@ constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
 constexpr std::uint64_t keptFrames = 6;
 
-// The device lives as long as the process, and with it its compiled programs: a view that is opened after the last one
-// with glyphs was closed waits for none of them. At exit it is not destroyed, because its driver may be unloaded by
-// then.
+// The device lives as long as ParaView's session, and with it its compiled programs: a view that is opened after the
+// last one with glyphs was closed waits for none of them. The end of the session lets it go, after what is being
+// compiled: later, the driver destroys what threads that compile would use. Scripts may exit when they have
+// disconnected.
 std::shared_ptr<rtg::Device> DeviceOfProcess()
 {
   static auto* const kept = new std::shared_ptr<rtg::Device>;
-  *kept = rtg::Device::Shared();
-  return *kept;
+  static const vtkNew<vtkCallbackCommand> end;
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  if (vtkProcessModule* const module = vtkProcessModule::GetProcessModule())
+  {
+    end->SetCallback([](vtkObject*, unsigned long, void*, void*) { kept->reset(); });
+    for (const auto event : { vtkCommand::ExitEvent, vtkCommand::ConnectionClosedEvent })
+    {
+      if (!module->HasObserver(event, end))
+      {
+        module->AddObserver(event, end);
+      }
+    }
+    *kept = device;
+  }
+  return device;
 }
 }
 

@@ -62,7 +62,8 @@ bool ArePlaces(vtkPVArrayInformation* array, const double bounds[6])
   return same;
 }
 
-// Null attributes have none; `bounds` may be null.
+// By name, because of equal candidates the first is chosen: ParaView 5 has them so, ParaView 6 in the order of the
+// data. Null attributes have none; `bounds` may be null.
 std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const double* bounds)
 {
   std::vector<Array> arrays;
@@ -92,6 +93,7 @@ std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const
     one.Largest = range ? range[1] : one.Largest;
     arrays.push_back(one);
   }
+  std::sort(arrays.begin(), arrays.end(), [](const Array& a, const Array& b) { return a.Name < b.Name; });
   return arrays;
 }
 

@@ -8,6 +8,9 @@
 // vkGetPipelineCacheData, which answers VK_ERROR_OUT_OF_HOST_MEMORY, or mmap: vkMapMemory then answers VK_SUCCESS and
 // maps nothing, as lavapipe's does where the computer has no memory left.
 //
+// Where a device is left when the process destroys what is static, the layer says so and ends the process with
+// status 1.
+//
 // It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties(), Properties2() and
 // Features2(). And where RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
 // GetPipelineCacheData().
@@ -38,6 +41,7 @@ PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
 struct Next
 {
   PFN_vkGetDeviceProcAddr procAddr = nullptr;
+  PFN_vkDestroyDevice destroyDevice = nullptr;
   PFN_vkQueueSubmit queueSubmit = nullptr;
   PFN_vkAllocateMemory allocateMemory = nullptr;
   PFN_vkBindBufferMemory bindBufferMemory = nullptr;
@@ -48,6 +52,19 @@ struct Next
   PFN_vkGetPipelineCacheData getPipelineCacheData = nullptr;
 };
 std::map<void*, Next> devices; // by the loader's dispatch table, which a device and its queues share
+
+// Drivers destroy what is static, too, which threads that compile for the device would still use.
+struct End
+{
+  ~End()
+  {
+    if (!devices.empty())
+    {
+      std::fprintf(stderr, "FaultLayer: a device is left at the end of the process\n");
+      std::_Exit(1);
+    }
+  }
+} end;
 
 void* Key(void* handle)
 {
@@ -193,6 +210,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(
   {
     const auto find = [&next, device](auto& function, const char* name)
     { function = reinterpret_cast<std::decay_t<decltype(function)>>(next.procAddr(*device, name)); };
+    find(next.destroyDevice, "vkDestroyDevice");
     find(next.queueSubmit, "vkQueueSubmit");
     find(next.allocateMemory, "vkAllocateMemory");
     find(next.bindBufferMemory, "vkBindBufferMemory");
@@ -206,6 +224,16 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(
     std::fprintf(stderr, "FaultLayer: device made\n");
   }
   return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL DestroyDevice(VkDevice device, const VkAllocationCallbacks* allocator)
+{
+  const Next next = NextOf(device);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    devices.erase(Key(device));
+  }
+  next.destroyDevice(device, allocator);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL QueueSubmit(
@@ -293,6 +321,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreatePipelineCache(VkDevice device, const VkPipe
 PFN_vkVoidFunction OwnDeviceFunction(const std::string& name)
 {
   static const std::map<std::string, PFN_vkVoidFunction> own{
+    { "vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(DestroyDevice) },
     { "vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(QueueSubmit) },
     { "vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(AllocateMemory) },
     { "vkBindBufferMemory", reinterpret_cast<PFN_vkVoidFunction>(BindBufferMemory) },

@@ -20,14 +20,15 @@ LIMIT = 150.0
 
 
 def while_compiling(view, shown):
-    """Pictures of the renders that had nothing to show but 'Compiling Programs'; the next one has something."""
+    """Pictures of the renders that waited for a program, until there is a sample: some have time for a preview only."""
     pictures, end = [], time.monotonic() + LIMIT
     while time.monotonic() < end:
         pv.Render(view)
-        if information(shown, "RefinementStep") != "Compiling Programs":
+        if information(shown, "RefinementStep") == "Compiling Programs":
+            pictures.append(accumulation.shown_by(view))
+            time.sleep(0.02)
+        elif information(shown, "AccumulatedSamples") > 0:
             break
-        pictures.append(accumulation.shown_by(view))
-        time.sleep(0.02)
     return pictures
 
 

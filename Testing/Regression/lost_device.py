@@ -1,4 +1,5 @@
-"""A lost Vulkan device: one message, and the next render shows the glyphs again on a new device.
+"""A lost Vulkan device: one message, and the next render shows the glyphs again on a new device. The process ends
+while programs are compiled.
 
 Usage: RTGLYPHS_FAULT=FILE VK_INSTANCE_LAYERS=...:VK_LAYER_RTGLYPHS_fault pvpython lost_device.py
 The layer loses the device at the next submission when FILE is there, at each while it says "always".
@@ -10,6 +11,7 @@ import paraview.simple as pv
 
 import comparison
 import session
+from checks import information, stepwise
 
 FAULT = os.environ["RTGLYPHS_FAULT"]
 
@@ -86,6 +88,12 @@ def main():
     shown_here.ScaleFactor = 0.2
     expect("whole again", session.messages(lambda: moved(2.0)), 0)
     expect_picture("whole again", view, expected)
+
+    # The process ends while programs are compiled, and no device outlives it, as the layer sees.
+    stepwise(shown_here)
+    pv.Render(view)
+    if information(shown_here, "programsAhead") == 0:
+        failures.append("no program is compiled at the end")
     session.finish(failures)
 
 
