@@ -40,7 +40,7 @@ Pipeline::Pipeline(Device::State& device, const Specialization& specialization)
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(words[0]), words.data()));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
   this->pipeline_ = vk::raii::Pipeline(
-    device.device, device.programCache, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
+    device.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
 }
 
 void Pipeline::Trace(
