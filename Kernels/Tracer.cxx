@@ -213,15 +213,15 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   bool stopped = false;
   if (work.done < settings.samples)
   {
-    TracerResources::UsedProgram& program = this->shared->ProgramFor(work.specialization);
+    const std::shared_ptr<Program> program = this->shared->ProgramFor(work.specialization);
     // Compiling may take many seconds.
-    if (!interruptible)
+    while (!stopped && program->compiled.wait_for(compilingPatience) != std::future_status::ready)
     {
-      this->shared->WaitFor(program);
+      stopped = interruptible && interrupt(double(work.done) / settings.samples);
     }
-    while (!stopped && !this->shared->IsCompiled(program, compilingPatience))
+    if (!stopped)
     {
-      stopped = interrupt(double(work.done) / settings.samples);
+      program->compiled.get();
     }
     while (work.done < settings.samples && !stopped)
     {
@@ -233,7 +233,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
         work.longest = 0.0;
       }
       work.longest =
-        std::max(work.longest, this->launcher.LaunchTiles(program, scene, frame, work.tiling.End(), interruptible));
+        std::max(work.longest, this->launcher.LaunchTiles(*program, scene, frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
@@ -385,9 +385,9 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       probing.program = probeProgram;
       FillScene(frame, glyphs);
       FillConstants(probing.constants, glyphs);
-      TracerResources::UsedProgram& program = state.shared->ProgramFor(probing);
-      state.shared->WaitFor(program);
-      state.launcher.LaunchProbes(program, glyphs, frame);
+      const std::shared_ptr<Program> program = state.shared->ProgramFor(probing);
+      program->compiled.get();
+      state.launcher.LaunchProbes(*program->pipeline, glyphs, frame);
 
       output.Read(output.Size(),
         [&](const void* read)
