@@ -1,5 +1,6 @@
 #include "GlyphChecks.h"
 
+#include "Finite.h"
 #include "GlyphArrays.h"
 #include "HarmonicForms.h"
 #include "MeshTree.h"
@@ -94,6 +95,23 @@ void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
     });
 }
 
+// The lengths of its arrays are known to be right.
+void CheckMotion(const GlyphMotion& motion)
+{
+  CheckFinite("velocities", motion.velocities);
+  CheckFinite("accelerations", motion.accelerations);
+  CheckFinite("angular velocities", motion.angularVelocities);
+}
+
+void CheckShutter(const GlyphMotion& motion)
+{
+  if (!IsPositive(motion.shutterClose - motion.shutterOpen))
+  {
+    Fail("the shutter opens at " + Text(motion.shutterOpen) + " and closes at " + Text(motion.shutterClose) +
+      "; it must close later than it opens.");
+  }
+}
+
 void CheckPolynomials(const GlyphInstances& instances, std::size_t most)
 {
   const int degree = instances.polynomialDegree;
@@ -159,7 +177,11 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   {
     Fail("glyphs are to be colored by the sign of a polynomial, which their shape does not have; choose other colors.");
   }
-  CheckMotion(instances.motion, instances.Count());
+  CheckMotion(instances.motion);
+  if (instances.motion.Any())
+  {
+    CheckShutter(instances.motion);
+  }
   if (instances.Count() == 0)
   {
     return;
@@ -207,6 +229,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
   fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
   fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
+  fits("velocities", mesh->motion.velocities.size(), mesh->positions.size());
+  fits("accelerations", mesh->motion.accelerations.size(), mesh->positions.size());
   const auto holds = [](const char* name, std::size_t found, std::size_t mostOfThese)
   {
     if (found > mostOfThese)
@@ -232,7 +256,7 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
     }
   }
   CheckFinite("positions of the mesh", mesh->positions);
-  CheckMotion(mesh->motion, mesh->positions.size());
+  CheckMotion(mesh->motion);
   if (mesh->motion.Spins())
   {
     Fail("the positions of a mesh have angular velocities; they can have velocities and accelerations.");

@@ -67,8 +67,8 @@ double Launcher::NextSamples(std::uint32_t samples, double longest)
 
 // Of the `left` tiles those of the next launch, by the measured cost of the program's launches: at most eight times as
 // many as in the last one, because costs differ, and eight in the first.
-std::uint32_t Launcher::TilesAtOnce(
-  const Program& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const
+std::uint32_t
+Launcher::TilesAtOnce(const Program& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const
 {
   // Compute shaders may have 65,535 groups along each axis, which the tiles of a launch stay below.
   const std::uint32_t most = std::min(left, mostTiles);
@@ -85,8 +85,8 @@ std::uint32_t Launcher::TilesAtOnce(
   return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
 }
 
-double Launcher::LaunchTiles(Program& program, const Scene::State& scene,
-  device::FrameRecord& frame, std::uint32_t end, bool interruptible)
+double Launcher::LaunchTiles(
+  Program& program, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t end, bool interruptible)
 {
   Stopwatch watch;
   const std::uint32_t tiles = this->TilesAtOnce(program, end - frame.firstTile, frame.samples, interruptible);

@@ -19,9 +19,7 @@ namespace
 // Rotation times scale of one glyph.
 glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
 {
-  const glm::vec3 size = !instances.sizes3.empty() ? instances.sizes3[i]
-    : !instances.sizes1.empty()                    ? glm::vec3(instances.sizes1[i])
-                                                   : glm::vec3(instances.uniformSize);
+  const glm::vec3 size = instances.SizeOf(i);
   glm::mat3 linear(1.0f);
   if (!instances.rotations.empty())
   {

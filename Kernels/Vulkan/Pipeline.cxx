@@ -39,8 +39,8 @@ Pipeline::Pipeline(Device::State& device, const Specialization& specialization)
   const vk::raii::ShaderModule module(
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(words[0]), words.data()));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
-  this->pipeline_ = vk::raii::Pipeline(
-    device.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
+  this->pipeline_ =
+    vk::raii::Pipeline(device.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
 }
 
 void Pipeline::Trace(
