@@ -24,14 +24,10 @@ Launcher::Launcher(std::shared_ptr<Device> device)
 }
 
 // Launches width x height rays.
-void Launcher::Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
-  std::uint32_t width, std::uint32_t height)
+void Launcher::Launch(const Pipeline& pipeline, device::FrameRecord& frame, std::uint32_t width, std::uint32_t height)
 {
   Device::State& vulkan = this->device_->GetState();
   frame.launchWidth = width;
-  frame.topLevels = scene.topLevelAddresses.Address();
-  frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
-  frame.onlySet = scene.records.front();
   if (!this->frameBlock_.Exists())
   {
     this->frameBlock_ = FrameBlock(vulkan);
@@ -85,14 +81,13 @@ Launcher::TilesAtOnce(const Program& program, std::uint32_t left, std::uint32_t 
   return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
 }
 
-double Launcher::LaunchTiles(
-  Program& program, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t end, bool interruptible)
+double Launcher::LaunchTiles(Program& program, device::FrameRecord& frame, std::uint32_t end, bool interruptible)
 {
   Stopwatch watch;
   const std::uint32_t tiles = this->TilesAtOnce(program, end - frame.firstTile, frame.samples, interruptible);
   frame.endTile = frame.firstTile + tiles;
   const LaunchGrid grid(tiles);
-  this->Launch(*program.pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
+  this->Launch(*program.pipeline, frame, grid.columns * raysPerTile, grid.rows);
   frame.firstTile = frame.endTile;
   // Of old and new costs the mean: launches differ.
   const double seconds = watch.Lap();
@@ -101,12 +96,6 @@ double Launcher::LaunchTiles(
   program.secondsPerRay = before > 0.0 ? 0.5 * (before + cost) : cost;
   program.lastTiles = std::max(tiles, 8u);
   return seconds;
-}
-
-void Launcher::LaunchProbes(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame)
-{
-  const LaunchGrid grid(DivideUp(frame.probeCount, raysPerTile));
-  this->Launch(pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
 }
 
 } // namespace rtg

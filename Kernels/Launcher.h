@@ -1,8 +1,7 @@
-// Launches of programs over the tiles of an image, or over given rays.
+// Launches of programs over the tiles of an image.
 #pragma once
 
 #include "HostDevice.h"
-#include "SceneState.h"
 #include "Vulkan/ProgramLibrary.h"
 
 #include <cstdint>
@@ -22,19 +21,14 @@ public:
 
   /// Traces some of the tiles from frame.firstTile on, `end` not included, and makes the next one that. Returns the
   /// seconds that it took.
-  double LaunchTiles(
-    Program& program, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t end, bool interruptible);
+  double LaunchTiles(Program& program, device::FrameRecord& frame, std::uint32_t end, bool interruptible);
 
   /// Samples a pixel of the next dispatch where launches are cut, after one of so many whose longest launch took so
   /// many seconds: at most eight times as many.
   static double NextSamples(std::uint32_t samples, double longest);
 
-  /// Traces frame.probeCount rays.
-  void LaunchProbes(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame);
-
 private:
-  void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
-    std::uint32_t height);
+  void Launch(const Pipeline& pipeline, device::FrameRecord& frame, std::uint32_t width, std::uint32_t height);
   std::uint32_t
   TilesAtOnce(const Program& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
 

@@ -22,7 +22,8 @@ constexpr std::size_t keptPrograms = 24; // lavapipe takes some 17 MB for each
 // many seconds.
 std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specialization& specialization, double& seconds)
 {
-  auto pipeline = std::make_unique<Pipeline>(vulkan, specialization);
+  auto pipeline =
+    std::make_unique<Pipeline>(vulkan, programs::modules[specialization.program], specialization.constants);
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;

@@ -2,6 +2,7 @@
 // ray and a glyph, less what is removed.
 #include "CaseRays.h"
 #include "Measure.h"
+#include "Probes.h"
 #include "Sections.h"
 #include "SharedDevice.h"
 #include "SubjectName.h"
@@ -191,7 +192,7 @@ protected:
     this->scene.SetInstances(set, one);
     ReferenceGlyph reference(there, 0);
     std::vector<HardRay> aimed;
-    std::vector<Tracer::Probe> probes;
+    std::vector<rtg::testing::Probe> probes;
     std::vector<std::vector<ReferenceCrossing>> crossings;
     std::vector<HardRay> inside; // the first: of the ray that is longest inside
     Quad longest = 0;
@@ -228,7 +229,7 @@ protected:
       }
       this->scene.SetMaterial(set, CutBy(atRest));
       this->scene.Commit();
-      const auto answers = SharedTracer().TraceProbes(this->scene, probes);
+      const auto answers = rtg::testing::TraceProbes(this->scene, probes);
       for (std::size_t k = 0; k < aimed.size(); ++k)
       {
         const HardRay& ray = aimed[k];
