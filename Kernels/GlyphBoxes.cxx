@@ -188,15 +188,12 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
   const double closing = instances.motion.LatestTime(last);
   const Subject subject(instances, opening, closing);
   std::vector<Box> boxes(instances.Count());
-  ParallelChunks(boxes.size(),
-    [&](std::size_t begin, std::size_t end)
+  ParallelEach(boxes.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const DoubleBox box = moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, i);
-        const glm::dvec3 centre = Centre(instances, i);
-        boxes[i] = { RoundDown(centre + box.lower), RoundUp(centre + box.upper) };
-      }
+      const DoubleBox box = moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, i);
+      const glm::dvec3 centre = Centre(instances, i);
+      boxes[i] = { RoundDown(centre + box.lower), RoundUp(centre + box.upper) };
     });
   return boxes;
 }
@@ -244,14 +241,7 @@ Box UnionOf(const BoxReader& boxes)
 std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order)
 {
   std::vector<Box> sorted(boxes.Count());
-  ParallelChunks(sorted.size(),
-    [&](std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        sorted[i] = boxes[order.empty() ? i : order[i]];
-      }
-    });
+  ParallelEach(sorted.size(), [&](std::size_t i) { sorted[i] = boxes[order.empty() ? i : order[i]]; });
   return sorted;
 }
 

@@ -255,14 +255,10 @@ Buffer SendInOrder(
   buffer.Write(order.size(), RowBytes(values),
     [&](void* target, std::size_t begin, std::size_t end)
     {
-      ParallelChunks(end - begin,
-        [&](std::size_t first, std::size_t last)
-        {
-          for (std::size_t i = first; i < last; ++i)
-          {
-            std::memcpy(
-              static_cast<char*>(target) + i * RowBytes(values), Row(values, order[begin + i]), RowBytes(values));
-          }
+      ParallelEach(end - begin,
+        [&](std::size_t i) {
+          std::memcpy(
+            static_cast<char*>(target) + i * RowBytes(values), Row(values, order[begin + i]), RowBytes(values));
         });
     });
   return buffer;
