@@ -185,9 +185,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   if (!hasTree)
   {
     // The driver's top level has the glyphs.
-    GlyphRun run;
-    run.count = static_cast<std::uint32_t>(set.count);
-    placed.runs.push_back(std::move(run));
+    placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   }
   this->statistics.buildSeconds += watch.Lap();
   return !keeps || before == wanted;

@@ -68,7 +68,7 @@ void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::
 
 const Statistics& TracerResources::GetStatistics()
 {
-  this->statistics.deviceBytes = this->device->GetState().bytes;
+  this->statistics.deviceBytes = this->device->HeldBytes();
   this->statistics.programsAhead = this->device->GetState().programs->Ahead();
   this->statistics.denoiseSeconds = this->denoiseSeconds;
   return this->statistics;

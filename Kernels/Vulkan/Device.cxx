@@ -395,7 +395,7 @@ bool Device::Lost() const
 
 std::uint64_t Device::HeldBytes() const
 {
-  return this->state_->bytes;
+  return this->state_->memory.bytes;
 }
 
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
@@ -479,7 +479,8 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
   else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
     dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
-    this->ThrowOutOfMemory(doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
+    this->ThrowOutOfMemory(
+      doing, "out of memory with " + std::to_string(this->memory.bytes.load() >> 20) + " MiB held");
   }
   else
   {

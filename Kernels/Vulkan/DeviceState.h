@@ -59,7 +59,6 @@ struct Device::State
   bool miscompilesTrees = false;
   vk::PipelineStageFlags programStages; ///< in which programs run and structures are built
   std::atomic<bool> lost{ false };
-  std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
   vk::raii::DescriptorSetLayout frameLayout{ nullptr }; ///< of all programs: the uniform block of a launch
   vk::raii::PipelineLayout programLayout{ nullptr };
