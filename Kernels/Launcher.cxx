@@ -63,8 +63,8 @@ double Launcher::NextSamples(std::uint32_t samples, double longest)
 
 // Of the `left` tiles those of the next launch, by the measured cost of the program's launches: at most eight times as
 // many as in the last one, because costs differ, and eight in the first.
-std::uint32_t
-Launcher::TilesAtOnce(const Program& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const
+std::uint32_t Launcher::TilesAtOnce(
+  const TracerResources::Cost& cost, std::uint32_t left, std::uint32_t samples, bool interruptible) const
 {
   // Compute shaders may have 65,535 groups along each axis, which the tiles of a launch stay below.
   const std::uint32_t most = std::min(left, mostTiles);
@@ -72,29 +72,29 @@ Launcher::TilesAtOnce(const Program& program, std::uint32_t left, std::uint32_t 
   {
     return most;
   }
-  const double tileSeconds = program.secondsPerRay * raysPerTile * samples;
+  const double tileSeconds = cost.secondsPerRay * raysPerTile * samples;
   if (tileSeconds <= 0.0)
   {
     return std::min(most, 8u);
   }
-  const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * program.lastTiles);
+  const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * cost.lastTiles);
   return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
 }
 
-double Launcher::LaunchTiles(Program& program, device::FrameRecord& frame, std::uint32_t end, bool interruptible)
+double Launcher::LaunchTiles(const Pipeline& pipeline, TracerResources::Cost& cost, device::FrameRecord& frame,
+  std::uint32_t end, bool interruptible)
 {
   Stopwatch watch;
-  const std::uint32_t tiles = this->TilesAtOnce(program, end - frame.firstTile, frame.samples, interruptible);
+  const std::uint32_t tiles = this->TilesAtOnce(cost, end - frame.firstTile, frame.samples, interruptible);
   frame.endTile = frame.firstTile + tiles;
   const LaunchGrid grid(tiles);
-  this->Launch(*program.pipeline, frame, grid.columns * raysPerTile, grid.rows);
+  this->Launch(pipeline, frame, grid.columns * raysPerTile, grid.rows);
   frame.firstTile = frame.endTile;
   // Of old and new costs the mean: launches differ.
   const double seconds = watch.Lap();
-  const double cost = seconds / (double(tiles) * raysPerTile * frame.samples);
-  const double before = program.secondsPerRay;
-  program.secondsPerRay = before > 0.0 ? 0.5 * (before + cost) : cost;
-  program.lastTiles = std::max(tiles, 8u);
+  const double perRay = seconds / (double(tiles) * raysPerTile * frame.samples);
+  cost.secondsPerRay = cost.secondsPerRay > 0.0 ? 0.5 * (cost.secondsPerRay + perRay) : perRay;
+  cost.lastTiles = std::max(tiles, 8u);
   return seconds;
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "HostDevice.h"
-#include "Vulkan/ProgramLibrary.h"
+#include "TracerResources.h"
+#include "Vulkan/Pipeline.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +22,8 @@ public:
 
   /// Traces some of the tiles from frame.firstTile on, `end` not included, and makes the next one that. Returns the
   /// seconds that it took.
-  double LaunchTiles(Program& program, device::FrameRecord& frame, std::uint32_t end, bool interruptible);
+  double LaunchTiles(const Pipeline& pipeline, TracerResources::Cost& cost, device::FrameRecord& frame,
+    std::uint32_t end, bool interruptible);
 
   /// Samples a pixel of the next dispatch where launches are cut, after one of so many whose longest launch took so
   /// many seconds: at most eight times as many.
@@ -30,7 +32,7 @@ public:
 private:
   void Launch(const Pipeline& pipeline, device::FrameRecord& frame, std::uint32_t width, std::uint32_t height);
   std::uint32_t
-  TilesAtOnce(const Program& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
+  TilesAtOnce(const TracerResources::Cost& cost, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
 
   std::shared_ptr<Device> device_;
   FrameBlock frameBlock_;

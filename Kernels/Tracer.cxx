@@ -230,8 +230,9 @@ void Tracer::State::Run(const Interrupt& interrupt)
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
         work.longest = 0.0;
       }
-      work.longest =
-        std::max(work.longest, this->launcher.LaunchTiles(*program, frame, work.tiling.End(), interruptible));
+      work.longest = std::max(work.longest,
+        this->launcher.LaunchTiles(
+          *program->pipeline, this->shared->costs[program.get()], frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {

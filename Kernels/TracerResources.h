@@ -1,4 +1,4 @@
-// Common to the tracers of one view: the environment image on the device, counters.
+// Common to the tracers of one view: costs of programs, the environment image on the device, counters.
 #pragma once
 
 #include "Environment.h"
@@ -9,6 +9,8 @@
 #include "Vulkan/ProgramLibrary.h"
 
 #include <atomic>
+#include <cstdint>
+#include <map>
 #include <memory>
 
 namespace rtg
@@ -18,6 +20,14 @@ class TracerResources
 {
 public:
   explicit TracerResources(std::shared_ptr<Device> device);
+
+  /// What a program's launches have cost in this view.
+  struct Cost
+  {
+    double secondsPerRay = 0.0;  ///< of a camera ray with all that follows it; 0: unknown
+    std::uint32_t lastTiles = 0; ///< of the last launch
+  };
+  std::map<const Program*, Cost> costs;
 
   /// The device's program of that key; if it has none, another thread begins to compile it.
   std::shared_ptr<Program> ProgramFor(const Specialization& specialization);

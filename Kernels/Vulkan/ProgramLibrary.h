@@ -3,10 +3,8 @@
 
 #include "Pipeline.h"
 
-#include <atomic>
 #include <condition_variable>
 #include <cstddef>
-#include <cstdint>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -16,7 +14,7 @@
 namespace rtg
 {
 
-/// A pipeline, what is known of the threads that compile it, and what its launches have cost.
+/// A pipeline, and what is known of the threads that compile it.
 struct Program
 {
   Specialization specialization;
@@ -24,8 +22,6 @@ struct Program
   std::promise<void> done;
   std::shared_future<void> compiled = done.get_future(); ///< throws what compiling failed of
   bool ahead = false;                                    ///< compiled by the thread of the lowest priority alone
-  std::atomic<double> secondsPerRay{ 0.0 };              ///< of a camera ray with all that follows it; 0: unknown
-  std::atomic<std::uint32_t> lastTiles{ 0 };             ///< of the last launch
 };
 
 /// Programs stay compiled while the device lives, so that a further view, or one that is made anew, has them at once.

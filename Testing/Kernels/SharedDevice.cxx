@@ -29,8 +29,8 @@ public:
   }
   void TearDown() override
   {
-    tracer.reset();
     ForgetProbes();
+    tracer.reset();
   }
 };
 
