@@ -342,7 +342,7 @@ TEST_P(SectionTest, ClosedMeshesHaveCaps)
   probe(apart, FrontOff(0.1));
 }
 
-// Each point of a line's cap is that of the first piece which holds it.
+// Each point of a line's cap is that of the first piece which holds it, also where the line moves with its cut.
 TEST_P(SectionTest, LinesHaveOneCap)
 {
   const std::vector<glm::dvec3> points = { { -0.7, -0.3, 0 }, { -0.25, 0.2, 0.1 }, { 0.1, 0.1, -0.05 },
@@ -364,43 +364,54 @@ TEST_P(SectionTest, LinesHaveOneCap)
     instances.after.push_back(i < 2 ? end(i + 2) : glm::vec4(0.0f));
   }
   const auto set = this->scene.Add();
-  this->scene.SetInstances(set, instances);
-  this->scene.SetMaterial(set, CutBy(FrontOff(0.03)));
-  this->scene.Commit();
-  std::vector<rtg::testing::Probe> probes;
-  for (int i = 0; i < 60 * 60; ++i)
+  for (const bool moves : { false, true })
   {
-    probes.push_back({ { (i % 60 + 0.5) / 30.0 - 1.0, (i / 60 + 0.5) / 30.0 - 1.0, 3.0 }, { 0, 0, -1 } });
+    constexpr float time = 0.8f;
+    Section section = FrontOff(0.03);
+    section.moves = moves;
+    if (moves)
+    {
+      instances.motion.velocities.assign(3, { 0.0f, 0.0f, 1.0f });
+    }
+    const double lift = instances.motion.Displacement(0, instances.motion.Time(time)).z;
+    this->scene.SetInstances(set, instances);
+    this->scene.SetMaterial(set, CutBy(section));
+    this->scene.Commit();
+    std::vector<rtg::testing::Probe> probes;
+    for (int i = 0; i < 60 * 60; ++i)
+    {
+      probes.push_back({ { (i % 60 + 0.5) / 30.0 - 1.0, (i / 60 + 0.5) / 30.0 - 1.0, 3.0 }, { 0, 0, -1 }, time });
+    }
+    const auto hits = rtg::testing::TraceProbes(this->scene, probes);
+    std::size_t caps = 0, later = 0;
+    for (std::size_t k = 0; k < probes.size(); ++k)
+    {
+      const glm::dvec3 p(probes[k].origin.x, probes[k].origin.y, 0.03);
+      std::optional<std::uint32_t> first;
+      bool certain = true;
+      for (std::uint32_t i = 0; i < 3; ++i)
+      {
+        const glm::dvec3 way = points[i + 1] - points[i];
+        const double along = std::clamp(glm::dot(p - points[i], way) / glm::dot(way, way), 0.0, 1.0);
+        const double depth = radius - glm::length(p - points[i] - along * way);
+        certain = certain && std::abs(depth) > 1e-5;
+        first = !first && depth > 0.0 ? i : first;
+      }
+      if (certain && first)
+      {
+        ++caps;
+        later += *first > 0;
+        EXPECT_NEAR(hits[k].t, 2.97 - lift, 1e-6);
+        EXPECT_EQ(hits[k].glyphId, *first) << p.x << " " << p.y;
+      }
+      else if (certain)
+      {
+        EXPECT_GT(hits[k].t, 2.97001 - lift);
+      }
+    }
+    EXPECT_GT(later, 200u);
+    EXPECT_GT(caps, later + 100);
   }
-  const auto hits = rtg::testing::TraceProbes(this->scene, probes);
-  std::size_t caps = 0, later = 0;
-  for (std::size_t k = 0; k < probes.size(); ++k)
-  {
-    const glm::dvec3 p(probes[k].origin.x, probes[k].origin.y, 0.03);
-    std::optional<std::uint32_t> first;
-    bool certain = true;
-    for (std::uint32_t i = 0; i < 3; ++i)
-    {
-      const glm::dvec3 way = points[i + 1] - points[i];
-      const double along = std::clamp(glm::dot(p - points[i], way) / glm::dot(way, way), 0.0, 1.0);
-      const double depth = radius - glm::length(p - points[i] - along * way);
-      certain = certain && std::abs(depth) > 1e-5;
-      first = !first && depth > 0.0 ? i : first;
-    }
-    if (certain && first)
-    {
-      ++caps;
-      later += *first > 0;
-      EXPECT_NEAR(hits[k].t, 2.97, 1e-6);
-      EXPECT_EQ(hits[k].glyphId, *first) << p.x << " " << p.y;
-    }
-    else if (certain)
-    {
-      EXPECT_GT(hits[k].t, 2.97001);
-    }
-  }
-  EXPECT_GT(later, 200u);
-  EXPECT_GT(caps, later + 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Structures, SectionTest, ::testing::Values(rtg::Structure::Tree, rtg::Structure::Boxes),
