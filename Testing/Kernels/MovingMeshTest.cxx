@@ -397,7 +397,7 @@ TEST_P(MovingMesh, RefusesWhatMakesNoSense)
     return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   EXPECT_EQ(message([](auto&, auto&) {}), "");
-  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); }).find("7 velocities for 8"),
+  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); }).find("7 velocities; it must have 8"),
     std::string::npos);
   EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.accelerations[2].x = NAN; }).find("nan"), std::string::npos);
   EXPECT_NE(
