@@ -16,12 +16,8 @@ struct FormExtent
   glm::dvec3 reach{ 0.0 }; ///< a bound of the glyph's half extent along each axis, not more than `bound`
 };
 
-/// Measures polynomials of one degree. Several threads may use one.
-///
-/// On a great circle f and f n_x are trigonometric polynomials of a degree up to m = k + 1. Where such a polynomial has
-/// its largest magnitude M, it is at least M cos(m a) up to the angle a from there (M. Riesz 1914). So of samples that
-/// leave no direction farther than a away from one, the largest is at least M cos(m a). A first grid finds in which
-/// cells the largest may be, a finer one in those how large.
+/// Measures polynomials of one degree, by two grids of directions (Shapes/README.md, Polynomials). Several threads may
+/// use one.
 class FormMeter
 {
 public:

@@ -214,6 +214,9 @@ void FillScene(device::FrameRecord& frame, const Scene::State& scene)
 {
   frame.sets = scene.recordBuffer.Address();
   frame.setCount = static_cast<std::uint32_t>(scene.records.size());
+  frame.onlySet = scene.records.front();
+  frame.topLevels = scene.topLevelAddresses.Address();
+  frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
   frame.sceneLower = scene.bounds.lower;
   frame.sceneUpper = scene.bounds.upper;
   frame.layerLimit = 1;

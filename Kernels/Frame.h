@@ -30,6 +30,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 Specialization SpecializationFor(const TraceSettings& settings);
 /// Values of the scene.
 void FillConstants(Constants& constants, const Scene::State& scene);
+/// Of a scene that has something.
 void FillScene(device::FrameRecord& frame, const Scene::State& scene);
 
 /// Samples a pixel in one dispatch at most: a driver resets a GPU whose dispatch takes seconds.

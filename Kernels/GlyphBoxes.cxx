@@ -36,9 +36,7 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
 {
   HostShapes::Glyph glyph;
   glyph.centre = glyph.centreLow = glm::vec3(0.0f);
-  glyph.size = !instances.sizes3.empty() ? instances.sizes3[i]
-    : !instances.sizes1.empty()          ? glm::vec3(instances.sizes1[i])
-                                         : glm::vec3(instances.uniformSize);
+  glyph.size = instances.SizeOf(i);
   glyph.sameSize = instances.sizes3.empty();
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
@@ -127,13 +125,6 @@ DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const
   return { glm::dvec3(lower - padding), glm::dvec3(upper + padding) };
 }
 
-// The product of two quaternions (x, y, z, w): first b, then a.
-glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
-{
-  const glm::dvec3 u(a), v(b);
-  return glm::dvec4(a.w * v + b.w * u + glm::cross(u, v), a.w * b.w - glm::dot(u, v));
-}
-
 // For a glyph that rotates between two times: the boxes at the middles of so short pieces that in half of one no
 // point goes further than a fortieth of its distance from the center (longer ones of fast rotations), widened by the
 // distance it goes.
@@ -142,6 +133,7 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   const GlyphInstances& instances = subject.instances;
   const HostShapes::Glyph still = GlyphAtZero(instances, i);
   const glm::dvec3 centre = Centre(instances, i);
+  const glm::dquat rotation(still.rotation.w, still.rotation.x, still.rotation.y, still.rotation.z);
   HostShapes::Glyph upright = still;
   upright.turned = false;
   const DoubleBox own = StillBox(subject, upright, centre);
@@ -156,8 +148,8 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   {
     HostShapes::Glyph turned = still;
     turned.turned = true;
-    turned.rotation =
-      glm::vec4(Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), glm::dvec4(still.rotation)));
+    const glm::dquat turn = instances.motion.Turn(i, first + (last - first) * piece / pieces) * rotation;
+    turned.rotation = glm::vec4(turn.x, turn.y, turn.z, turn.w);
     box.Include(StillBox(subject, turned, centre));
   }
   const double deviation = radius * (0.5 * angle / pieces);
@@ -196,15 +188,12 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
   const double closing = instances.motion.LatestTime(last);
   const Subject subject(instances, opening, closing);
   std::vector<Box> boxes(instances.Count());
-  ParallelChunks(boxes.size(),
-    [&](std::size_t begin, std::size_t end)
+  ParallelEach(boxes.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const DoubleBox box = moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, i);
-        const glm::dvec3 centre = Centre(instances, i);
-        boxes[i] = { RoundDown(centre + box.lower), RoundUp(centre + box.upper) };
-      }
+      const DoubleBox box = moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, i);
+      const glm::dvec3 centre = Centre(instances, i);
+      boxes[i] = { RoundDown(centre + box.lower), RoundUp(centre + box.upper) };
     });
   return boxes;
 }
@@ -252,14 +241,7 @@ Box UnionOf(const BoxReader& boxes)
 std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order)
 {
   std::vector<Box> sorted(boxes.Count());
-  ParallelChunks(sorted.size(),
-    [&](std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        sorted[i] = boxes[order.empty() ? i : order[i]];
-      }
-    });
+  ParallelEach(sorted.size(), [&](std::size_t i) { sorted[i] = boxes[order.empty() ? i : order[i]]; });
   return sorted;
 }
 

@@ -1,5 +1,6 @@
 #include "GlyphChecks.h"
 
+#include "Finite.h"
 #include "GlyphArrays.h"
 #include "HarmonicForms.h"
 #include "MeshTree.h"
@@ -18,27 +19,23 @@ namespace rtg
 namespace
 {
 
-[[noreturn]] void Fail(const std::string& what)
-{
-  throw Error("Ray Traced Glyphs: " + what);
-}
-
-std::string Text(float value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 template <int n>
-std::string Text(const glm::vec<n, float>& value)
+std::ostream& operator<<(std::ostream& out, const glm::vec<n, float>& value)
 {
-  std::string text;
   for (int i = 0; i < n; ++i)
   {
-    text += (i == 0 ? "(" : ", ") + Text(value[i]);
+    out << (i == 0 ? "(" : ", ") << value[i];
   }
-  return text + ")";
+  return out << ")";
+}
+
+template <class... Parts>
+[[noreturn]] void Fail(const Parts&... parts)
+{
+  std::ostringstream message;
+  message << "Ray Traced Glyphs: ";
+  (message << ... << parts);
+  throw Error(message.str());
 }
 
 bool IsFinite(float value)
@@ -70,7 +67,7 @@ void CheckEach(const char* words, const std::vector<T>& values, const Good& good
     });
   if (first < values.size())
   {
-    Fail("one of the " + std::string(words) + " is " + Text(values[first]) + "; leave that glyph out.");
+    Fail("one of the ", words, " is ", values[first], "; leave that glyph out.");
   }
 }
 
@@ -88,10 +85,26 @@ void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
     {
       if (!values.empty() && values.size() != instances.Count())
       {
-        Fail(std::to_string(values.size()) + " " + words + " for " + std::to_string(instances.Count()) +
-          " glyphs; give one a glyph or none.");
+        Fail(values.size(), " ", words, " for ", instances.Count(), " glyphs; give one a glyph or none.");
       }
     });
+}
+
+// The lengths of its arrays are known to be right.
+void CheckMotion(const GlyphMotion& motion)
+{
+  CheckFinite("velocities", motion.velocities);
+  CheckFinite("accelerations", motion.accelerations);
+  CheckFinite("angular velocities", motion.angularVelocities);
+}
+
+void CheckShutter(const GlyphMotion& motion)
+{
+  if (!IsPositive(motion.shutterClose - motion.shutterOpen))
+  {
+    Fail("the shutter opens at ", motion.shutterOpen, " and closes at ", motion.shutterClose,
+      "; it must close later than it opens.");
+  }
 }
 
 void CheckPolynomials(const GlyphInstances& instances, std::size_t most)
@@ -101,12 +114,12 @@ void CheckPolynomials(const GlyphInstances& instances, std::size_t most)
   if (!even || instances.polynomials.empty() ||
     instances.polynomials.width != static_cast<std::size_t>(3 + FormTerms(degree)))
   {
-    Fail("polynomials of degree " + std::to_string(degree) + " with " + std::to_string(instances.polynomials.width) +
+    Fail("polynomials of degree ", degree, " with ", instances.polynomials.width,
       " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
   }
   if (instances.polynomials.values.size() > most)
   {
-    Fail(std::to_string(instances.Count()) + " polynomials of degree " + std::to_string(degree) +
+    Fail(instances.Count(), " polynomials of degree ", degree,
       " have more values than a set can hold; show fewer of them.");
   }
 }
@@ -124,7 +137,7 @@ void CheckSizes(const GlyphInstances& instances)
   };
   if (instances.sizes1.empty() && instances.sizes3.empty() && !good(instances.uniformSize))
   {
-    Fail("the size of glyphs is " + Text(instances.uniformSize) + "; it must be finite and above zero.");
+    Fail("the size of glyphs is ", instances.uniformSize, "; it must be finite and above zero.");
   }
   CheckEach("sizes", instances.sizes1, good);
   CheckEach("sizes along three axes", instances.sizes3,
@@ -136,7 +149,7 @@ void CheckExponents(const GlyphInstances& instances)
   const auto good = [](const glm::vec3& e) { return IsFinite(e) && e.x > 0.0f && e.y > 0.0f && e.z > 0.0f; };
   if (instances.exponents3.empty() && !good(instances.uniformExponents))
   {
-    Fail("the exponents of glyphs are " + Text(instances.uniformExponents) + "; they must be finite and above zero.");
+    Fail("the exponents of glyphs are ", instances.uniformExponents, "; they must be finite and above zero.");
   }
   CheckEach("exponents", instances.exponents3, good);
 }
@@ -148,8 +161,8 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   CheckLengths(instances, {});
   if (instances.Count() > most)
   {
-    Fail("a set of " + std::to_string(instances.Count()) + " glyphs; the most that one can hold is " +
-      std::to_string(most) + ". Show fewer glyphs (GlyphMode, MaximumNumberOfGlyphs).");
+    Fail("a set of ", instances.Count(), " glyphs; the most that one can hold is ", most,
+      ". Show fewer glyphs (GlyphMode, MaximumNumberOfGlyphs).");
   }
   if (!instances.sizes3.empty() && !instances.sizes1.empty())
   {
@@ -159,7 +172,11 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   {
     Fail("glyphs are to be colored by the sign of a polynomial, which their shape does not have; choose other colors.");
   }
-  CheckMotion(instances.motion, instances.Count());
+  CheckMotion(instances.motion);
+  if (instances.motion.Any())
+  {
+    CheckShutter(instances.motion);
+  }
   if (instances.Count() == 0)
   {
     return;
@@ -183,7 +200,7 @@ void CheckColours(const GlyphInstances& instances, const GlyphColours& colours)
   CheckLengths(instances, colours);
   if (!colours.table.empty() && colours.table.size() < 3)
   {
-    Fail("the values at the ends of glyphs have a table of " + std::to_string(colours.table.size()) +
+    Fail("the values at the ends of glyphs have a table of ", colours.table.size(),
       " colors; it must have 3 or more, the last two of which are those of NaN and of a missing "
       "value.");
   }
@@ -199,20 +216,21 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   {
     if (found != 0 && found != wanted)
     {
-      Fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " + std::to_string(wanted) +
-        " or none.");
+      Fail("the mesh has ", found, " ", name, "; it must have ", wanted, " or none.");
     }
   };
   fits("normals", mesh->normals.size(), mesh->positions.size());
   fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
   fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
   fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
+  fits("velocities", mesh->motion.velocities.size(), mesh->positions.size());
+  fits("accelerations", mesh->motion.accelerations.size(), mesh->positions.size());
   const auto holds = [](const char* name, std::size_t found, std::size_t mostOfThese)
   {
     if (found > mostOfThese)
     {
-      Fail("a mesh of " + std::to_string(found) + " " + name + "; the most that one can have is " +
-        std::to_string(mostOfThese) + ". Show a part of it, or decimate it.");
+      Fail("a mesh of ", found, " ", name, "; the most that one can have is ", mostOfThese,
+        ". Show a part of it, or decimate it.");
     }
   };
   // Three corners each; and the table of colors lies behind the values.
@@ -227,12 +245,11 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
     const std::uint32_t largest = std::max({ corner.x, corner.y, corner.z });
     if (largest >= mesh->positions.size())
     {
-      Fail("a triangle of the mesh has corner " + std::to_string(largest) + " of " +
-        std::to_string(mesh->positions.size()) + " positions.");
+      Fail("a triangle of the mesh has corner ", largest, " of ", mesh->positions.size(), " positions.");
     }
   }
   CheckFinite("positions of the mesh", mesh->positions);
-  CheckMotion(mesh->motion, mesh->positions.size());
+  CheckMotion(mesh->motion);
   if (mesh->motion.Spins())
   {
     Fail("the positions of a mesh have angular velocities; they can have velocities and accelerations.");
@@ -276,14 +293,13 @@ void CheckSection(const Section& section)
     const double farthest = glm::length(plane.point);
     if (!(length > 0.0 && std::isfinite(length) && std::isfinite(farthest)))
     {
-      Fail("a plane of a cut has a normal of length " + std::to_string(length) + " and a point " +
-        std::to_string(farthest) + " from the origin; give it a normal of some length and a finite point.");
+      Fail("a plane of a cut has a normal of length ", length, " and a point ", farthest,
+        " from the origin; give it a normal of some length and a finite point.");
     }
   }
   if (const std::size_t slabs = SlabsOf(section, {}).size(); slabs > 3)
   {
-    Fail("a cut has " + std::to_string(section.planes.size()) + " planes, which bound " + std::to_string(slabs) +
-      " slabs; it can have three.");
+    Fail("a cut has ", section.planes.size(), " planes, which bound ", slabs, " slabs; it can have three.");
   }
 }
 
@@ -296,16 +312,14 @@ void CheckImages(const PeriodicImages& images)
     const double length = glm::length(images.edges[i]);
     if (images.shown[i] < 0 || images.lit[i] < images.shown[i] || (images.lit[i] > 0 && !std::isfinite(length)))
     {
-      Fail("periodic images: " + std::to_string(images.shown[i]) + " shown and " + std::to_string(images.lit[i]) +
-        " lit along an edge of length " + std::to_string(length) +
+      Fail("periodic images: ", images.shown[i], " shown and ", images.lit[i], " lit along an edge of length ", length,
         "; give a finite edge, and at least as many that are lit as are shown.");
     }
     count *= 2 * static_cast<std::size_t>(std::min(images.lit[i], most)) + 1;
   }
   if (count > most)
   {
-    Fail(std::to_string(count) + " periodic images exceed the limit; a set can have " + std::to_string(most) +
-      " with those that only shade others.");
+    Fail(count, " periodic images exceed the limit; a set can have ", most, " with those that only shade others.");
   }
 }
 

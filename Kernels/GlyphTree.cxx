@@ -338,14 +338,11 @@ KdOrder MakeKdOrder(const BoxReader& boxes, std::uint32_t leafBits)
   const std::size_t count = boxes.Count();
   // Not made by a vector, which would write zeros into all of them first, on one core.
   const std::unique_ptr<PartitionEntry[]> entries(new PartitionEntry[count]);
-  ParallelChunks(count,
-    [&](std::size_t first, std::size_t last)
+  ParallelEach(count,
+    [&](std::size_t i)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const Box box = boxes[i];
-        entries[i] = PartitionEntry(0.5f * box.lower + 0.5f * box.upper, static_cast<std::uint32_t>(i));
-      }
+      const Box box = boxes[i];
+      entries[i] = PartitionEntry(0.5f * box.lower + 0.5f * box.upper, static_cast<std::uint32_t>(i));
     });
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
@@ -393,21 +390,18 @@ GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, cons
     const std::size_t children = std::size_t(1) << SplitsOf(level, leafBits);
     const bool lowest = level + 1 == tree.levels;
     std::vector<Box> current(lowest ? (std::size_t(1) << leafBits) / children : below.size() / children);
-    ParallelChunks(current.size(),
-      [&](std::size_t first, std::size_t last)
+    ParallelEach(current.size(),
+      [&](std::size_t i)
       {
-        for (std::size_t i = first; i < last; ++i)
+        Box leaves[8];
+        for (std::size_t child = 0; lowest && child < children; ++child)
         {
-          Box leaves[8];
-          for (std::size_t child = 0; lowest && child < children; ++child)
-          {
-            leaves[child] = LeafBox(boxes, children * i + child, leafBits);
-          }
-          const Box* const parts = lowest ? leaves : &below[children * i];
-          current[i] = std::accumulate(parts, parts + children, Box(), Union);
-          const std::size_t node = GlyphTree::LevelOffset(level) + i;
-          tree.nodes[node] = Quantise(current[i], parts, children, axes[node]);
+          leaves[child] = LeafBox(boxes, children * i + child, leafBits);
         }
+        const Box* const parts = lowest ? leaves : &below[children * i];
+        current[i] = std::accumulate(parts, parts + children, Box(), Union);
+        const std::size_t node = GlyphTree::LevelOffset(level) + i;
+        tree.nodes[node] = Quantise(current[i], parts, children, axes[node]);
       });
     below = std::move(current);
   }

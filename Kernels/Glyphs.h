@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,15 +58,36 @@ struct GlyphTuples
 };
 
 /// All numbers of an array one after the other.
+template <class Array>
+auto& Flat(Array& array)
+{
+  if constexpr (std::is_same_v<std::remove_const_t<Array>, GlyphTuples>)
+  {
+    return array.values;
+  }
+  else
+  {
+    return array;
+  }
+}
+
+///@{
+/// Bytes of a glyph in an array, and where they are.
 template <class T>
-const std::vector<T>& Flat(const std::vector<T>& values)
+std::size_t RowBytes(const std::vector<T>&)
 {
-  return values;
+  return sizeof(T);
 }
-inline const std::vector<float>& Flat(const GlyphTuples& tuples)
+inline std::size_t RowBytes(const GlyphTuples& tuples)
 {
-  return tuples.values;
+  return tuples.width * sizeof(float);
 }
+template <class Array>
+const char* Row(const Array& array, std::size_t glyph)
+{
+  return reinterpret_cast<const char*>(Flat(array).data()) + glyph * RowBytes(array);
+}
+///@}
 
 /// Whether a shape has GlyphInstances' exponents.
 inline bool HasExponents(Shape shape)
@@ -153,6 +175,11 @@ struct GlyphInstances
   GlyphMotion motion;
 
   std::size_t Count() const { return centres.size(); }
+  glm::vec3 SizeOf(std::size_t glyph) const
+  {
+    return !this->sizes3.empty() ? this->sizes3[glyph]
+                                 : glm::vec3(this->sizes1.empty() ? this->uniformSize : this->sizes1[glyph]);
+  }
 };
 
 /// Whether some glyph is not opaque, by arrays other than material and colors.

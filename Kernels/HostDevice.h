@@ -121,22 +121,6 @@ struct LightRecord
   uint casts;   // shadows
 };
 
-struct ProbeRecord
-{
-  vec3 origin;
-  vec3 originLow;
-  vec3 direction;
-  float time;
-};
-
-struct ProbeResult
-{
-  float t;
-  vec3 normal;
-  uint setId;
-  uint glyph;
-};
-
 // A pixel's sums, when samples will be added later.
 struct PixelSums
 {
@@ -161,8 +145,6 @@ RTG_ARRAY(PixelSumsImage, PixelSums, , 4)
 RTG_ARRAY(PixelFeaturesImage, PixelFeatures, , 4)
 RTG_ARRAY(GlyphSetRecords, GlyphSetRecord, readonly, 8)
 RTG_ARRAY(LightRecords, LightRecord, readonly, 4)
-RTG_ARRAY(ProbeRecords, ProbeRecord, readonly, 4)
-RTG_ARRAY(ProbeResults, ProbeResult, writeonly, 4)
 #endif
 
 // Rays next to each other in a launch that a workgroup traces; launches are whole multiples as wide.
@@ -207,8 +189,6 @@ struct FrameRecord
   RTG_ADDRESS(UintImage) glyphIds;
   RTG_ADDRESS(PixelSumsImage) sums;         // of all pixels when the image accumulates, else of one
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
-  RTG_ADDRESS(ProbeRecords) probes;
-  RTG_ADDRESS(ProbeResults) probeResults;
   // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.
   vec3 eye;
   vec3 eyeLow;
@@ -248,7 +228,6 @@ struct FrameRecord
   uint tileColumns;
   uint cullMask;
   uint lightCount;
-  uint probeCount;
   uint launchWidth;
   // Light
   vec3 environment;    // mean linear radiance

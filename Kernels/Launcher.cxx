@@ -24,14 +24,10 @@ Launcher::Launcher(std::shared_ptr<Device> device)
 }
 
 // Launches width x height rays.
-void Launcher::Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
-  std::uint32_t width, std::uint32_t height)
+void Launcher::Launch(const Pipeline& pipeline, device::FrameRecord& frame, std::uint32_t width, std::uint32_t height)
 {
   Device::State& vulkan = this->device_->GetState();
   frame.launchWidth = width;
-  frame.topLevels = scene.topLevelAddresses.Address();
-  frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
-  frame.onlySet = scene.records.front();
   if (!this->frameBlock_.Exists())
   {
     this->frameBlock_ = FrameBlock(vulkan);
@@ -68,7 +64,7 @@ double Launcher::NextSamples(std::uint32_t samples, double longest)
 // Of the `left` tiles those of the next launch, by the measured cost of the program's launches: at most eight times as
 // many as in the last one, because costs differ, and eight in the first.
 std::uint32_t Launcher::TilesAtOnce(
-  const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const
+  const TracerResources::Cost& cost, std::uint32_t left, std::uint32_t samples, bool interruptible) const
 {
   // Compute shaders may have 65,535 groups along each axis, which the tiles of a launch stay below.
   const std::uint32_t most = std::min(left, mostTiles);
@@ -76,37 +72,30 @@ std::uint32_t Launcher::TilesAtOnce(
   {
     return most;
   }
-  if (program.secondsPerRay <= 0.0)
+  const double tileSeconds = cost.secondsPerRay * raysPerTile * samples;
+  if (tileSeconds <= 0.0)
   {
     return std::min(most, 8u);
   }
-  const double tileSeconds = program.secondsPerRay * raysPerTile * samples;
-  const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * static_cast<double>(program.lastTiles));
+  const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * cost.lastTiles);
   return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
 }
 
-double Launcher::LaunchTiles(TracerResources::UsedProgram& program, const Scene::State& scene,
-  device::FrameRecord& frame, std::uint32_t end, bool interruptible)
+double Launcher::LaunchTiles(const Pipeline& pipeline, TracerResources::Cost& cost, device::FrameRecord& frame,
+  std::uint32_t end, bool interruptible)
 {
   Stopwatch watch;
-  const std::uint32_t tiles = this->TilesAtOnce(program, end - frame.firstTile, frame.samples, interruptible);
+  const std::uint32_t tiles = this->TilesAtOnce(cost, end - frame.firstTile, frame.samples, interruptible);
   frame.endTile = frame.firstTile + tiles;
   const LaunchGrid grid(tiles);
-  this->Launch(*program.program->pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
+  this->Launch(pipeline, frame, grid.columns * raysPerTile, grid.rows);
   frame.firstTile = frame.endTile;
   // Of old and new costs the mean: launches differ.
   const double seconds = watch.Lap();
-  const double cost = seconds / (double(tiles) * raysPerTile * frame.samples);
-  program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
-  program.lastTiles = std::max(tiles, 8u);
+  const double perRay = seconds / (double(tiles) * raysPerTile * frame.samples);
+  cost.secondsPerRay = cost.secondsPerRay > 0.0 ? 0.5 * (cost.secondsPerRay + perRay) : perRay;
+  cost.lastTiles = std::max(tiles, 8u);
   return seconds;
-}
-
-void Launcher::LaunchProbes(
-  TracerResources::UsedProgram& program, const Scene::State& scene, device::FrameRecord& frame)
-{
-  const LaunchGrid grid(DivideUp(frame.probeCount, raysPerTile));
-  this->Launch(*program.program->pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
 }
 
 } // namespace rtg

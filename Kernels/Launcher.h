@@ -1,8 +1,7 @@
-// Launches of programs over the tiles of an image, or over given rays.
+// Launches of programs over the tiles of an image.
 #pragma once
 
 #include "HostDevice.h"
-#include "SceneState.h"
 #include "TracerResources.h"
 #include "Vulkan/Pipeline.h"
 
@@ -23,21 +22,17 @@ public:
 
   /// Traces some of the tiles from frame.firstTile on, `end` not included, and makes the next one that. Returns the
   /// seconds that it took.
-  double LaunchTiles(TracerResources::UsedProgram& program, const Scene::State& scene, device::FrameRecord& frame,
+  double LaunchTiles(const Pipeline& pipeline, TracerResources::Cost& cost, device::FrameRecord& frame,
     std::uint32_t end, bool interruptible);
 
   /// Samples a pixel of the next dispatch where launches are cut, after one of so many whose longest launch took so
   /// many seconds: at most eight times as many.
   static double NextSamples(std::uint32_t samples, double longest);
 
-  /// Traces frame.probeCount rays.
-  void LaunchProbes(TracerResources::UsedProgram& program, const Scene::State& scene, device::FrameRecord& frame);
-
 private:
-  void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
-    std::uint32_t height);
-  std::uint32_t TilesAtOnce(
-    const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
+  void Launch(const Pipeline& pipeline, device::FrameRecord& frame, std::uint32_t width, std::uint32_t height);
+  std::uint32_t
+  TilesAtOnce(const TracerResources::Cost& cost, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
 
   std::shared_ptr<Device> device_;
   FrameBlock frameBlock_;

@@ -1,11 +1,7 @@
 #include "Motion.h"
 
-#include "Finite.h"
-#include "Glyphs.h"
-
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace rtg
 {
@@ -24,11 +20,11 @@ glm::dvec3 GlyphMotion::Displacement(std::size_t glyph, double time) const
   return displacement;
 }
 
-glm::dvec4 GlyphMotion::Turn(std::size_t glyph, double time) const
+glm::dquat GlyphMotion::Turn(std::size_t glyph, double time) const
 {
-  const glm::dvec3 half = this->Spins() ? 0.5 * time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
-  const double angle = glm::length(half);
-  return angle > 0.0 ? glm::dvec4(std::sin(angle) / angle * half, std::cos(angle)) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
+  const glm::dvec3 rotation = this->Spins() ? time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
+  const double angle = glm::length(rotation);
+  return glm::angleAxis(angle, angle > 0.0 ? rotation / angle : rotation);
 }
 
 DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
@@ -75,47 +71,6 @@ DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyp
   const glm::dvec3 padding = std::ldexp(1.0, -21) * terms;
   const DoubleBox range = RangeOfDisplacements(motion, glyph, first, last);
   return { range.lower - padding, range.upper + padding };
-}
-
-void CheckMotion(const GlyphMotion& motion, std::size_t count)
-{
-  const auto check = [count](const char* name, const std::vector<glm::vec3>& values)
-  {
-    if (!values.empty() && values.size() != count)
-    {
-      throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + name + " for " + std::to_string(count) +
-        " glyphs; give one a glyph or none.");
-    }
-    for (const glm::vec3& value : values)
-    {
-      if (!std::isfinite(value.x + value.y + value.z))
-      {
-        std::ostringstream message;
-        message << "Ray Traced Glyphs: one of the " << name << " is (" << value.x << ", " << value.y << ", " << value.z
-                << "); leave that glyph out.";
-        throw Error(message.str());
-      }
-    }
-  };
-  check("velocities", motion.velocities);
-  check("accelerations", motion.accelerations);
-  check("angular velocities", motion.angularVelocities);
-  if (motion.Any())
-  {
-    CheckShutter(motion);
-  }
-}
-
-void CheckShutter(const GlyphMotion& motion)
-{
-  const float length = motion.shutterClose - motion.shutterOpen;
-  if (!IsPositive(length))
-  {
-    std::ostringstream message;
-    message << "Ray Traced Glyphs: the shutter opens at " << motion.shutterOpen << " and closes at "
-            << motion.shutterClose << "; it must close later than it opens.";
-    throw Error(message.str());
-  }
 }
 
 } // namespace rtg

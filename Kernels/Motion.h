@@ -3,6 +3,8 @@
 
 #include "Box.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <vector>
 
 namespace rtg
@@ -42,18 +44,13 @@ struct GlyphMotion
 
   /// x(t) - x(0).
   glm::dvec3 Displacement(std::size_t glyph, double time) const;
-  /// Unit quaternion (x, y, z, w) of the rotation since time 0.
-  glm::dvec4 Turn(std::size_t glyph, double time) const;
+  /// Unit quaternion of the rotation since time 0.
+  glm::dquat Turn(std::size_t glyph, double time) const;
 };
 
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.
 DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 /// The same, with the rounding of the device's arithmetic in float: a few ulps of its terms.
 DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
-
-/// Throws rtg::Error unless the arrays fit `count` glyphs and all is finite.
-void CheckMotion(const GlyphMotion& motion, std::size_t count);
-/// Throws rtg::Error unless the shutter closes later than it opens.
-void CheckShutter(const GlyphMotion& motion);
 
 } // namespace rtg

@@ -121,23 +121,14 @@ public:
     const auto* first = reinterpret_cast<const char*>(values.data());
     this->bytes.insert(this->bytes.end(), first, first + values.size() * sizeof(Value));
   }
-  template <class Value>
-  void OfGlyphs(const std::vector<Value>& values)
+  template <class Array>
+  void OfGlyphs(const Array& values)
   {
-    (*this)(static_cast<std::uint64_t>(values.empty() ? 0 : this->kept_.size()));
+    (*this)(static_cast<std::uint64_t>(values.empty() ? 0 : this->kept_.size() * Flat(values).size() / values.size()));
     for (std::size_t i = 0; !values.empty() && i < this->kept_.size(); ++i)
     {
-      (*this)(values[this->kept_[i]]);
-    }
-  }
-  void OfGlyphs(const GlyphTuples& tuples)
-  {
-    (*this)(static_cast<std::uint64_t>(tuples.width));
-    (*this)(static_cast<std::uint64_t>(tuples.empty() ? 0 : this->kept_.size() * tuples.width));
-    for (std::size_t i = 0; !tuples.empty() && i < this->kept_.size(); ++i)
-    {
-      const auto* first = reinterpret_cast<const char*>(tuples[this->kept_[i]]);
-      this->bytes.insert(this->bytes.end(), first, first + tuples.width * sizeof(float));
+      const char* const row = Row(values, this->kept_[i]);
+      this->bytes.insert(this->bytes.end(), row, row + RowBytes(values));
     }
   }
 
@@ -171,17 +162,10 @@ public:
     values.resize(count);
     this->Take(values.data(), count * sizeof(Value));
   }
-  template <class Value>
-  void OfGlyphs(std::vector<Value>& values)
+  template <class Array>
+  void OfGlyphs(Array& values)
   {
-    (*this)(values);
-  }
-  void OfGlyphs(GlyphTuples& tuples)
-  {
-    std::uint64_t width = 0;
-    (*this)(width);
-    (*this)(tuples.values);
-    tuples.width = width;
+    (*this)(Flat(values));
   }
 
 private:
@@ -214,6 +198,7 @@ void Visit(Instances& instances, Colours& colours, Transfer& transfer)
 #define RTG_TRANSFER(type, name, value) transfer(value);
   RTG_GLYPH_NUMBERS(RTG_TRANSFER)
 #undef RTG_TRANSFER
+  transfer(instances.polynomials.width);
   transfer(instances.origin);
   transfer(colours.table);
   ForEachArray(

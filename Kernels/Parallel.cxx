@@ -66,18 +66,6 @@ public:
     }
   }
 
-  void InBackground(std::function<void()> task)
-  {
-    const std::lock_guard<std::mutex> lock(this->backgroundMutex_);
-    if (this->idle_ <= this->tasks_.size())
-    {
-      std::thread([this] { this->WorkInBackground(); }).detach();
-      ++this->idle_;
-    }
-    this->tasks_.push_back(std::move(task));
-    this->task_.notify_one();
-  }
-
   std::atomic<std::size_t> threadCount{ std::max(1u, std::thread::hardware_concurrency()) };
 
 private:
@@ -144,32 +132,10 @@ private:
     this->open_.erase(std::remove(this->open_.begin(), this->open_.end(), &loop), this->open_.end());
   }
 
-  void WorkInBackground()
-  {
-    std::unique_lock<std::mutex> lock(this->backgroundMutex_);
-    for (;;)
-    {
-      this->task_.wait(lock, [this] { return !this->tasks_.empty(); });
-      std::function<void()> task = std::move(this->tasks_.front());
-      this->tasks_.pop_front();
-      --this->idle_;
-      lock.unlock();
-      task();
-      task = nullptr; // what it holds goes before the thread sleeps
-      lock.lock();
-      ++this->idle_;
-    }
-  }
-
   std::mutex mutex_;
   std::condition_variable wake_, left_;
   std::deque<Loop*> open_; // loops that may be joined, innermost last
   std::size_t workers_ = 0;
-
-  std::mutex backgroundMutex_;
-  std::condition_variable task_;
-  std::deque<std::function<void()>> tasks_;
-  std::size_t idle_ = 0; // threads that wait for a task, or will when they have started
 };
 
 } // namespace
@@ -191,7 +157,7 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& work
 
 void RunInBackground(std::function<void()> task)
 {
-  Pool::Get().InBackground(std::move(task));
+  std::thread(std::move(task)).detach();
 }
 
 } // namespace rtg

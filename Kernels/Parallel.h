@@ -35,6 +35,20 @@ void ParallelChunks(std::size_t count, Work&& work)
     [&](std::size_t chunk) { work(chunk * parallelChunk, std::min(count, (chunk + 1) * parallelChunk)); });
 }
 
+/// work(i) for each i of [0, count), chunk by chunk.
+template <class Work>
+void ParallelEach(std::size_t count, Work&& work)
+{
+  ParallelChunks(count,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        work(i);
+      }
+    });
+}
+
 /// Both; at the same time if requested.
 template <class Left, class Right>
 void ParallelInvoke(bool parallel, Left&& left, Right&& right)

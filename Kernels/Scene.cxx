@@ -208,7 +208,7 @@ bool Scene::HasOpaque() const
 
 const Statistics& Scene::GetStatistics() const
 {
-  this->state_->statistics.deviceBytes = this->state_->device->GetState().bytes;
+  this->state_->statistics.deviceBytes = this->state_->device->HeldBytes();
   return this->state_->statistics;
 }
 
@@ -293,9 +293,10 @@ void Scene::State::TellStage(const GlyphSet& set)
   this->stagesDone += set.count;
   if (this->progress && this->stages > 0)
   {
-    // The callback may use the device itself, for instance draw another view.
-    const Batch::Pause pause;
+    // The callback may use the device itself, for instance draw another view: that must not wait for the batch.
+    Batch* const batch = std::exchange(Device::State::batch, nullptr);
     this->progress(std::min(1.0, static_cast<double>(this->stagesDone) / static_cast<double>(this->stages)));
+    Device::State::batch = batch;
   }
 }
 

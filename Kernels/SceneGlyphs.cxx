@@ -154,10 +154,8 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
   placed.sliceBits = moves ? TimeSliceBits(set.instances, set.count * bytesPerBox) : 0;
   for (std::size_t at = 0; at < set.count; at += this->glyphsPerRun)
   {
-    GlyphRun run;
-    run.first = static_cast<std::uint32_t>(at);
-    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
-    placed.runs.push_back(std::move(run));
+    const std::size_t count = std::min<std::size_t>(this->glyphsPerRun, set.count - at);
+    placed.runs.push_back({ static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), {} });
   }
   const std::vector<std::uint32_t>& order = set.sorted.order;
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
@@ -210,9 +208,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
   placed.variants.Set(device::ORDER_OF_SLICES, !tree.order.empty());
   placed.sliceBits = tree.sliceBits;
   placed.tree = PlacedTree(this->device->GetState(), tree);
-  GlyphRun run;
-  run.count = static_cast<std::uint32_t>(set.count);
-  placed.runs.push_back(std::move(run));
+  placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   // Copies of a mesh at rest are placed, not built, as in the driver's top level.
   this->statistics.structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
 }

@@ -19,9 +19,7 @@ namespace
 // Rotation times scale of one glyph.
 glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
 {
-  const glm::vec3 size = !instances.sizes3.empty() ? instances.sizes3[i]
-    : !instances.sizes1.empty()                    ? glm::vec3(instances.sizes1[i])
-                                                   : glm::vec3(instances.uniformSize);
+  const glm::vec3 size = instances.SizeOf(i);
   glm::mat3 linear(1.0f);
   if (!instances.rotations.empty())
   {
@@ -187,9 +185,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   if (!hasTree)
   {
     // The driver's top level has the glyphs.
-    GlyphRun run;
-    run.count = static_cast<std::uint32_t>(set.count);
-    placed.runs.push_back(std::move(run));
+    placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   }
   this->statistics.buildSeconds += watch.Lap();
   return !keeps || before == wanted;

@@ -209,7 +209,7 @@ void Scene::State::FillRecords()
       { return buffer.Size() ? buffer.Address() + run.first * stride : anything; };
       const GlyphInstances& instances = set.instances;
       const GlyphColours& colours = set.colours;
-#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], Stride(values));
+#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], RowBytes(values));
       RTG_GLYPH_ARRAYS(RTG_FILL)
 #undef RTG_FILL
 #define RTG_FILL(type, name, value) record.name = static_cast<decltype(record.name)>(value);

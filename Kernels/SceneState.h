@@ -11,10 +11,10 @@
 #include "Vulkan/Buffer.h"
 #include "Vulkan/Pipeline.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -241,64 +241,27 @@ Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsage
   return buffer;
 }
 
-/// The same with values[order[i]] at place i; an empty order: with the values as they are.
-template <class T>
-Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const std::vector<std::uint32_t>& order,
-  vk::BufferUsageFlags more = {})
+/// The same with the values of glyph order[i] at place i; an empty order: with the values as they are.
+template <class Array>
+Buffer SendInOrder(
+  Device::State& device, const Array& values, const std::vector<std::uint32_t>& order, vk::BufferUsageFlags more = {})
 {
   if (order.empty() || values.empty())
   {
-    return Send(device, values, more);
+    return Send(device, Flat(values), more);
   }
   Buffer buffer(
-    device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
-  buffer.Write(order.size(), sizeof(T),
+    device, order.size() * RowBytes(values), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
+  buffer.Write(order.size(), RowBytes(values),
     [&](void* target, std::size_t begin, std::size_t end)
     {
-      auto* const places = static_cast<T*>(target);
-      const auto* const numbers = order.data() + begin;
-      ParallelChunks(end - begin,
-        [&](std::size_t first, std::size_t last) {
-          std::transform(numbers + first, numbers + last, places + first, [&](std::uint32_t i) { return values[i]; });
+      ParallelEach(end - begin,
+        [&](std::size_t i) {
+          std::memcpy(
+            static_cast<char*>(target) + i * RowBytes(values), Row(values, order[begin + i]), RowBytes(values));
         });
     });
   return buffer;
-}
-
-inline Buffer SendInOrder(Device::State& device, const GlyphTuples& tuples, const std::vector<std::uint32_t>& order)
-{
-  if (order.empty() || tuples.empty())
-  {
-    return Send(device, tuples.values);
-  }
-  Buffer buffer(
-    device, tuples.values.size() * sizeof(float), vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Place::Device);
-  buffer.Write(order.size(), tuples.width * sizeof(float),
-    [&](void* target, std::size_t begin, std::size_t end)
-    {
-      auto* const places = static_cast<float*>(target);
-      ParallelChunks(end - begin,
-        [&](std::size_t first, std::size_t last)
-        {
-          for (std::size_t i = first; i < last; ++i)
-          {
-            std::copy_n(tuples[order[begin + i]], tuples.width, places + i * tuples.width);
-          }
-        });
-    });
-  return buffer;
-}
-
-/// Bytes of a glyph in an array.
-template <class T>
-std::size_t Stride(const std::vector<T>&)
-{
-  return sizeof(T);
-}
-
-inline std::size_t Stride(const GlyphTuples& tuples)
-{
-  return tuples.width * sizeof(float);
 }
 
 } // namespace rtg

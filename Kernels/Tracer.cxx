@@ -19,8 +19,6 @@ namespace rtg
 namespace
 {
 
-using Usage = vk::BufferUsageFlagBits;
-
 /// Interval at which a wait for a program calls the interrupt callback.
 constexpr std::chrono::milliseconds compilingPatience(20);
 
@@ -62,7 +60,7 @@ struct Tracer::State
     const TraceSettings& settings, Pass pass);
   void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
-  void Run(const Scene::State& scene, const Interrupt& interrupt);
+  void Run(const Interrupt& interrupt);
 
   explicit State(std::shared_ptr<TracerResources> resources)
     : shared(std::move(resources))
@@ -204,7 +202,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
 }
 
 // Goes on with the job until it is done or the interrupt callback stops it, called after each launch.
-void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
+void Tracer::State::Run(const Interrupt& interrupt)
 {
   Job& work = this->job;
   Stopwatch watch;
@@ -213,15 +211,15 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   bool stopped = false;
   if (work.done < settings.samples)
   {
-    TracerResources::UsedProgram& program = this->shared->ProgramFor(work.specialization);
+    const std::shared_ptr<Program> program = this->shared->ProgramFor(work.specialization);
     // Compiling may take many seconds.
-    if (!interruptible)
+    while (!stopped && program->compiled.wait_for(compilingPatience) != std::future_status::ready)
     {
-      this->shared->WaitFor(program);
+      stopped = interruptible && interrupt(double(work.done) / settings.samples);
     }
-    while (!stopped && !this->shared->IsCompiled(program, compilingPatience))
+    if (!stopped)
     {
-      stopped = interrupt(double(work.done) / settings.samples);
+      program->compiled.get();
     }
     while (work.done < settings.samples && !stopped)
     {
@@ -232,8 +230,9 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
         work.longest = 0.0;
       }
-      work.longest =
-        std::max(work.longest, this->launcher.LaunchTiles(program, scene, frame, work.tiling.End(), interruptible));
+      work.longest = std::max(work.longest,
+        this->launcher.LaunchTiles(
+          *program->pipeline, this->shared->costs[program.get()], frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
@@ -283,7 +282,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
       // Only what was begun as a whole can be gone on with.
       state.job.sceneVersion = glyphs.version;
-      state.Run(glyphs, interrupt);
+      state.Run(interrupt);
     });
   return state.job.image;
 }
@@ -320,7 +319,7 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
     {
       // Another tracer of the view may have brought its own meanwhile.
       state.shared->PrepareEnvironment(state.job.settings, state.job.frame);
-      state.Run(glyphs, interrupt);
+      state.Run(interrupt);
     });
   return state.job.image;
 }
@@ -349,61 +348,6 @@ DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
   task.shared_ = this->state_->shared;
   task.stop_ = std::move(stop);
   return task;
-}
-
-std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vector<Probe>& probes)
-{
-  State& state = *this->state_;
-  const Scene::State& glyphs = scene.GetState();
-  std::vector<ProbeHit> hits(probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
-  if (probes.empty() || glyphs.records.empty())
-  {
-    return hits;
-  }
-
-  Device::State& vulkan = state.Vulkan();
-  vulkan.Guard("tracing probes",
-    [&]
-    {
-      std::vector<device::ProbeRecord> records(probes.size());
-      for (std::size_t i = 0; i < probes.size(); ++i)
-      {
-        Split(probes[i].origin - glyphs.origin, records[i].origin, records[i].originLow);
-        records[i].direction = probes[i].direction;
-        records[i].time = probes[i].time;
-      }
-      Buffer input(vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Device);
-      input.Upload(records.data(), input.Size());
-      Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer, Buffer::Place::Device);
-
-      device::FrameRecord frame{};
-      frame.probes = input.Address();
-      frame.probeResults = output.Address();
-      frame.probeCount = static_cast<std::uint32_t>(probes.size());
-      frame.cullMask = 0xff;
-      Specialization probing;
-      probing.program = probeProgram;
-      FillScene(frame, glyphs);
-      FillConstants(probing.constants, glyphs);
-      TracerResources::UsedProgram& program = state.shared->ProgramFor(probing);
-      state.shared->WaitFor(program);
-      state.launcher.LaunchProbes(program, glyphs, frame);
-
-      output.Read(output.Size(),
-        [&](const void* read)
-        {
-          const auto* results = static_cast<const device::ProbeResult*>(read);
-          for (std::size_t i = 0; i < probes.size(); ++i)
-          {
-            if (results[i].t >= 0.0f)
-            {
-              hits[i] = { results[i].t, results[i].normal, results[i].setId,
-                scene.OriginalGlyph(results[i].setId, results[i].glyph) };
-            }
-          }
-        });
-    });
-  return hits;
 }
 
 } // namespace rtg

@@ -190,21 +190,6 @@ public:
 
   const Statistics& GetStatistics() const;
 
-  /// One given ray and what the pipeline found on it, for tests: positions in world coordinates.
-  struct Probe
-  {
-    glm::dvec3 origin;
-    glm::vec3 direction; ///< need not be of length one; t counts in its lengths
-    float time = 0.5f;   ///< fraction of the shutter's opening, [0, 1)
-  };
-  struct ProbeHit
-  {
-    float t;          ///< +inf: no hit
-    glm::vec3 normal; ///< outward, unit
-    std::uint32_t setId, glyphId;
-  };
-  std::vector<ProbeHit> TraceProbes(Scene& scene, const std::vector<Probe>& probes);
-
 private:
   struct State;
   std::unique_ptr<State> state_;

@@ -2,17 +2,8 @@
 
 #include "SceneState.h"
 
-#include <algorithm>
-
 namespace rtg
 {
-
-namespace
-{
-
-constexpr std::size_t remembered = 16; // programs whose costs are known
-
-} // namespace
 
 std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device)
 {
@@ -29,51 +20,11 @@ TracerResources::TracerResources(std::shared_ptr<Device> d)
 {
 }
 
-TracerResources::UsedProgram& TracerResources::ProgramFor(const Specialization& specialization)
+std::shared_ptr<Program> TracerResources::ProgramFor(const Specialization& specialization)
 {
-  const auto [program, began] = this->device->GetState().programs->Get(specialization);
-  const auto found = std::find_if(
-    this->used_.begin(), this->used_.end(), [&, &p = program](const auto& used) { return used->program == p; });
-  if (found != this->used_.end())
-  {
-    std::rotate(found, found + 1, this->used_.end());
-    return *this->used_.back();
-  }
-  if (this->used_.size() >= remembered)
-  {
-    this->used_.erase(this->used_.begin());
-  }
-  this->used_.push_back(std::make_unique<UsedProgram>());
-  UsedProgram& used = *this->used_.back();
-  used.program = program;
-  used.counts = began;
-  return used;
-}
-
-bool TracerResources::IsCompiled(UsedProgram& used, std::chrono::milliseconds limit)
-{
-  if (used.program->compiled.wait_for(limit) != std::future_status::ready)
-  {
-    return false;
-  }
-  this->WaitFor(used);
-  return true;
-}
-
-void TracerResources::WaitFor(UsedProgram& used)
-{
-  try
-  {
-    used.program->compiled.get();
-    this->statistics.pipelineBuilds += used.counts;
-    used.counts = false;
-  }
-  catch (...)
-  {
-    this->used_.erase(
-      std::find_if(this->used_.begin(), this->used_.end(), [&used](const auto& u) { return u.get() == &used; }));
-    throw;
-  }
+  const auto [program, begins] = this->device->GetState().programs->Get(specialization);
+  this->statistics.pipelineBuilds += begins;
+  return program;
 }
 
 void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame)
@@ -117,7 +68,7 @@ void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::
 
 const Statistics& TracerResources::GetStatistics()
 {
-  this->statistics.deviceBytes = this->device->GetState().bytes;
+  this->statistics.deviceBytes = this->device->HeldBytes();
   this->statistics.programsAhead = this->device->GetState().programs->Ahead();
   this->statistics.denoiseSeconds = this->denoiseSeconds;
   return this->statistics;

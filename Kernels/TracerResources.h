@@ -9,9 +9,9 @@
 #include "Vulkan/ProgramLibrary.h"
 
 #include <atomic>
-#include <chrono>
+#include <cstdint>
+#include <map>
 #include <memory>
-#include <vector>
 
 namespace rtg
 {
@@ -21,23 +21,16 @@ class TracerResources
 public:
   explicit TracerResources(std::shared_ptr<Device> device);
 
-  /// A program of the device, and what its launches have cost in this view.
-  struct UsedProgram
+  /// What a program's launches have cost in this view.
+  struct Cost
   {
-    std::shared_ptr<Program> program;
-    bool counts = false;        ///< it is being compiled for this view, which is to be counted when it is done
-    double secondsPerRay = 0.0; ///< of a camera ray with all that follows it; 0: unknown
-    std::size_t lastTiles = 0;  ///< of the last launch
+    double secondsPerRay = 0.0;  ///< of a camera ray with all that follows it; 0: unknown
+    std::uint32_t lastTiles = 0; ///< of the last launch
   };
+  std::map<const Program*, Cost> costs;
 
-  /// The device's program of that key; if it has none, another thread begins to compile it. Valid until the next
-  /// call.
-  UsedProgram& ProgramFor(const Specialization& specialization);
-
-  /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the
-  /// program is no more.
-  bool IsCompiled(UsedProgram& used, std::chrono::milliseconds limit);
-  void WaitFor(UsedProgram& used);
+  /// The device's program of that key; if it has none, another thread begins to compile it.
+  std::shared_ptr<Program> ProgramFor(const Specialization& specialization);
 
   /// Puts the environment image of path tracing, if the settings have one, on the device and into `frame`.
   void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);
@@ -49,7 +42,6 @@ public:
   std::atomic<double> denoiseSeconds{ 0.0 }; ///< counted by the threads that denoise
 
 private:
-  std::vector<std::unique_ptr<UsedProgram>> used_;      ///< newest last
   std::shared_ptr<const EnvironmentImage> environment_; ///< that the next four are made from
   EnvironmentCells environmentCells_;
   Buffer environmentTexels_, environmentCellBuffer_;

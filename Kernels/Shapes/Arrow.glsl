@@ -43,9 +43,8 @@ RTG_FN bool ToArrowFrame(const GlyphRay ray, const Glyph glyph, const ArrowScale
 
   DoubleWord3 fromTip = Add(local.origin, real3(-glyph.size.x, real(0.0), real(0.0)));
   real3 turnedRound = real3(-scale.times, scale.times, scale.times);
-  unit.start = local.start;
-  unit.origin = Divide(Multiply(fromTip, turnedRound), scale.over);
-  unit.direction = Divide(Multiply(local.direction, turnedRound), scale.over);
+  unit = LocalRay(local.start, Divide(Multiply(fromTip, turnedRound), scale.over),
+    Divide(Multiply(local.direction, turnedRound), scale.over));
   return true;
 }
 

@@ -69,11 +69,7 @@ struct ArrowHead
 
 RTG_FN ArrowHead NoHead()
 {
-  ArrowHead head;
-  head.ball = Word(real(0.0));
-  head.slope = Word(real(0.0));
-  head.coneStart = real(0.0);
-  return head;
+  return ArrowHead(Word(real(0.0)), Word(real(0.0)), real(0.0));
 }
 
 RTG_FN ArrowHead HeadOfArrow(const Glyph glyph)

@@ -32,16 +32,11 @@ RTG_FN DoubleWord CapsuleHalfLength(const Glyph glyph)
 RTG_FN bool CapsuleCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
-  LocalRay world;
-  if (!ToLocal(ray, glyph, real3(real(0.0)), CapsuleHalfSize(glyph), world))
+  if (!ToLocal(ray, glyph, real3(real(0.0)), CapsuleHalfSize(glyph), local))
   {
     return NoCrossing(local, crossing);
   }
-  real3 end = CapsuleEnd(glyph);
-  local.start = world.start;
-  local.origin = Divide(world.origin, end);
-  local.direction = Divide(world.direction, end);
-
+  local = Divide(local, CapsuleEnd(glyph));
   RoundConeForm form = MakeRoundCone(CapsuleHalfLength(glyph), Word(real(1.0)), Word(real(1.0)));
   return FirstCrossing(local, RoundConeSpan(local, form), tMin, tMax, crossing);
 }

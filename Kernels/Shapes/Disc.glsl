@@ -16,13 +16,10 @@ RTG_FN real3 DiscReach(const Glyph glyph, const real3 u, const real3 v)
 // the sizes' ratios. False: it certainly misses.
 RTG_FN bool ToBoxFrame(const GlyphRay ray, const Glyph glyph, const real3 halfSize, RTG_OUT(LocalRay) unit)
 {
-  LocalRay local;
-  bool near = ToLocal(ray, glyph, real3(real(0.0)), halfSize, local);
-  unit = local;
+  bool near = ToLocal(ray, glyph, real3(real(0.0)), halfSize, unit);
   if (near)
   {
-    unit.origin = Divide(local.origin, halfSize);
-    unit.direction = Divide(local.direction, halfSize);
+    unit = Divide(unit, halfSize);
   }
   return near;
 }

@@ -31,42 +31,38 @@ struct DoubleWord3
 
 RTG_FN DoubleWord Word(const real hi)
 {
-  DoubleWord word;
-  word.hi = hi;
-  word.lo = real(0.0);
-  return word;
+  return DoubleWord(hi, real(0.0));
 }
 
 RTG_FN DoubleWord3 Word3(const real3 hi)
 {
-  DoubleWord3 word;
-  word.hi = hi;
-  word.lo = real3(real(0.0));
-  return word;
+  return DoubleWord3(hi, real3(real(0.0)));
+}
+
+// The same in all components.
+RTG_FN DoubleWord3 Word3(const DoubleWord a)
+{
+  return DoubleWord3(real3(a.hi), real3(a.lo));
+}
+
+RTG_FN DoubleWord WordOf(const DoubleWord3 a, const int axis)
+{
+  return DoubleWord(axis == 0 ? a.hi.x : axis == 1 ? a.hi.y : a.hi.z, axis == 0 ? a.lo.x : axis == 1 ? a.lo.y : a.lo.z);
 }
 
 RTG_FN DoubleWord WordX(const DoubleWord3 a)
 {
-  DoubleWord word;
-  word.hi = a.hi.x;
-  word.lo = a.lo.x;
-  return word;
+  return DoubleWord(a.hi.x, a.lo.x);
 }
 
 RTG_FN DoubleWord WordY(const DoubleWord3 a)
 {
-  DoubleWord word;
-  word.hi = a.hi.y;
-  word.lo = a.lo.y;
-  return word;
+  return DoubleWord(a.hi.y, a.lo.y);
 }
 
 RTG_FN DoubleWord WordZ(const DoubleWord3 a)
 {
-  DoubleWord word;
-  word.hi = a.hi.z;
-  word.lo = a.lo.z;
-  return word;
+  return DoubleWord(a.hi.z, a.lo.z);
 }
 
 // Square root with one Heron step on the exact residual; 0 for negative numbers. Error of a few u^2.

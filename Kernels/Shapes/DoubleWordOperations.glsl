@@ -10,10 +10,7 @@ RTG_FN RTG_WORDS TwoSum(const RTG_WORD a, const RTG_WORD b)
   RTG_PRECISE RTG_WORD aError = a - aRounded;
   RTG_PRECISE RTG_WORD bError = b - bRounded;
   RTG_PRECISE RTG_WORD e = aError + bError;
-  RTG_WORDS sum;
-  sum.hi = s;
-  sum.lo = e;
-  return sum;
+  return RTG_WORDS(s, e);
 }
 
 // The same when |a| >= |b| or a = 0. JMP algorithm 1 (Dekker).
@@ -22,10 +19,7 @@ RTG_FN RTG_WORDS FastTwoSum(const RTG_WORD a, const RTG_WORD b)
   RTG_PRECISE RTG_WORD s = a + b;
   RTG_PRECISE RTG_WORD bRounded = s - a;
   RTG_PRECISE RTG_WORD e = b - bRounded;
-  RTG_WORDS sum;
-  sum.hi = s;
-  sum.lo = e;
-  return sum;
+  return RTG_WORDS(s, e);
 }
 
 // a = hi + lo with at most half the bits in each. Veltkamp; Dekker 1971, section 5.
@@ -35,10 +29,7 @@ RTG_FN RTG_WORDS Split(const RTG_WORD a)
   RTG_PRECISE RTG_WORD rest = c - a;
   RTG_PRECISE RTG_WORD hi = c - rest;
   RTG_PRECISE RTG_WORD lo = a - hi;
-  RTG_WORDS halves;
-  halves.hi = hi;
-  halves.lo = lo;
-  return halves;
+  return RTG_WORDS(hi, lo);
 }
 
 // hi + lo = a b exactly, short of under- and overflow. Dekker 1971, equation 5.10.
@@ -52,18 +43,12 @@ RTG_FN RTG_WORDS TwoProduct(const RTG_WORD a, const RTG_WORD b)
   RTG_PRECISE RTG_WORD lh = x.lo * y.hi;
   RTG_PRECISE RTG_WORD ll = x.lo * y.lo;
   RTG_PRECISE RTG_WORD e = ((hh - p) + hl + lh) + ll;
-  RTG_WORDS product;
-  product.hi = p;
-  product.lo = e;
-  return product;
+  return RTG_WORDS(p, e);
 }
 
 RTG_FN RTG_WORDS Minus(const RTG_WORDS a)
 {
-  RTG_WORDS minus;
-  minus.hi = -a.hi;
-  minus.lo = -a.lo;
-  return minus;
+  return RTG_WORDS(-a.hi, -a.lo);
 }
 
 // a + b with relative error below 2 u^2, also under cancellation. JMP algorithm 4 (DWPlusFP).

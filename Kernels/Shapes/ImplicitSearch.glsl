@@ -34,19 +34,9 @@ struct RTG_SEARCH
 
 RTG_FN RTG_SEARCH StartSearch(const RTG_FIELD field, const Chord chord)
 {
-  RTG_SEARCH search;
-  search.a = ProbeAt(field, Word(chord.sIn), -1);
-  search.a.outside = true;
-  search.b = search.a;
-  search.beyond = search.a;
-  search.end = search.a;
-  search.low = real(0.0);
-  search.high = real(0.0);
-  search.near = real(0.0);
-  search.resumes = false;
-  search.from = Word(chord.sIn);
-  search.steps = 1;
-  return search;
+  RTG_PROBE start = ProbeAt(field, Word(chord.sIn), -1);
+  start.outside = true;
+  return RTG_SEARCH(start, start, start, start, real(0.0), real(0.0), real(0.0), false, Word(chord.sIn), 1);
 }
 
 // On to the window behind this one.
@@ -299,9 +289,7 @@ RTG_FN SurfaceCrossing NearestCrossing(
       real3 gradient;
       bool crosses = Settle(
         field, base, search.low - search.near, search.high - search.near, sign, changes, wantsGradient, at, gradient);
-      DoubleWord s;
-      s.hi = chord.scale * at.start.hi;
-      s.lo = chord.scale * at.start.lo;
+      DoubleWord s = DoubleWord(chord.scale * at.start.hi, chord.scale * at.start.lo);
       real t = RayParameter(chord.ray, s).hi;
       more = !(crosses && t >= tMin);
       if (!more)

@@ -50,15 +50,8 @@ struct Chord
 
 RTG_FN Chord NoChord()
 {
-  Chord chord;
-  chord.ray.start = Word(real(0.0));
-  chord.ray.origin = Word3(real3(real(0.0)));
-  chord.ray.direction = chord.ray.origin;
-  chord.unit = chord.ray;
-  chord.scale = real(1.0);
-  chord.sIn = real(0.0);
-  chord.sOut = real(0.0);
-  return chord;
+  LocalRay none = LocalRay(Word(real(0.0)), Word3(real3(real(0.0))), Word3(real3(real(0.0))));
+  return Chord(none, none, real(1.0), real(0.0), real(0.0));
 }
 
 // False: the ray certainly has no crossing in [tMin, tMax], and `chord` means nothing.
@@ -99,13 +92,7 @@ RTG_FN real3 OffPlane(const int axis)
 // digit.
 RTG_FN LocalRay RayFrom(const LocalRay ray, const DoubleWord where, const int axis)
 {
-  DoubleWord3 along;
-  along.hi = real3(where.hi);
-  along.lo = real3(where.lo);
-  LocalRay at;
-  at.start = Add(ray.start, where);
-  at.origin = Add(ray.origin, Multiply(ray.direction, along));
-  at.direction = ray.direction;
+  LocalRay at = LocalRay(Add(ray.start, where), Add(ray.origin, Multiply(ray.direction, Word3(where))), ray.direction);
   real3 keep = OffPlane(axis);
   at.origin.hi = at.origin.hi * keep;
   at.origin.lo = at.origin.lo * keep;
@@ -212,13 +199,7 @@ struct SurfaceCrossing
 
 RTG_FN SurfaceCrossing NoSurfaceCrossing(const LocalRay ray)
 {
-  SurfaceCrossing crossing;
-  crossing.found = false;
-  crossing.t = real(RTG_NEVER);
-  crossing.at = ray;
-  crossing.gradient = real3(real(0.0));
-  crossing.steps = 0;
-  return crossing;
+  return SurfaceCrossing(false, real(RTG_NEVER), ray, real3(real(0.0)), 0);
 }
 
 // The normal in the world from the gradient in absolute coordinates of the frame of the half-lengths.

@@ -48,22 +48,20 @@ RTG_FN DoubleWord RayParameter(const LocalRay ray, const DoubleWord s)
 // Move the origin along the ray by s, which thereby needs not be accurate.
 RTG_FN LocalRay Advance(const LocalRay ray, const real s)
 {
-  LocalRay moved;
-  moved.start = Add(ray.start, s);
-  moved.origin = Add(ray.origin, Multiply(ray.direction, real3(s)));
-  moved.direction = ray.direction;
-  return moved;
+  return LocalRay(Add(ray.start, s), Add(ray.origin, Multiply(ray.direction, real3(s))), ray.direction);
+}
+
+// The ray in a frame in which lengths are divided by these.
+RTG_FN LocalRay Divide(const LocalRay ray, const real3 by)
+{
+  return LocalRay(ray.start, Divide(ray.origin, by), Divide(ray.direction, by));
 }
 
 // u x (a, lower and upper word).
 RTG_FN DoubleWord3 CrossProduct(const real3 u, const DoubleWord3 a)
 {
-  DoubleWord3 yzx;
-  yzx.hi = real3(a.hi.y, a.hi.z, a.hi.x);
-  yzx.lo = real3(a.lo.y, a.lo.z, a.lo.x);
-  DoubleWord3 zxy;
-  zxy.hi = real3(a.hi.z, a.hi.x, a.hi.y);
-  zxy.lo = real3(a.lo.z, a.lo.x, a.lo.y);
+  DoubleWord3 yzx = DoubleWord3(real3(a.hi.y, a.hi.z, a.hi.x), real3(a.lo.y, a.lo.z, a.lo.x));
+  DoubleWord3 zxy = DoubleWord3(real3(a.hi.z, a.hi.x, a.hi.y), real3(a.lo.z, a.lo.x, a.lo.y));
   DoubleWord3 left = Multiply(zxy, real3(u.y, u.z, u.x));
   DoubleWord3 right = Multiply(yzx, real3(u.z, u.x, u.y));
   return AddSloppy(left, Minus(right));
@@ -84,10 +82,7 @@ RTG_FN DoubleWord3 RotateToLocal(const real4 q, const DoubleWord twoOverNorm, co
   real3 u = real3(q.x, q.y, q.z);
   DoubleWord3 c = CrossProduct(u, a);
   DoubleWord3 e = AddSloppy(CrossProduct(u, c), Multiply(c, real3(-q.w)));
-  DoubleWord3 factor;
-  factor.hi = real3(twoOverNorm.hi);
-  factor.lo = real3(twoOverNorm.lo);
-  return AddSloppy(a, Multiply(e, factor));
+  return AddSloppy(a, Multiply(e, Word3(twoOverNorm)));
 }
 
 // The rotation of the same quaternion in plain arithmetic, for normals, bounds and early rejection.
@@ -131,20 +126,10 @@ RTG_FN bool MissesBall(const GlyphRay ray, const Glyph glyph, const real3 middle
 // frame: from here on errors are relative to the distance between ray and center.
 RTG_FN LocalRay NearRay(const GlyphRay ray, const Glyph glyph)
 {
-  DoubleWord3 origin;
-  origin.hi = ray.origin;
-  origin.lo = ray.originLow;
-  DoubleWord3 centre;
-  centre.hi = glyph.centre;
-  centre.lo = glyph.centreLow;
-  DoubleWord3 offset = Subtract(origin, centre);
+  DoubleWord3 offset = Subtract(DoubleWord3(ray.origin, ray.originLow), DoubleWord3(glyph.centre, glyph.centreLow));
   real t0 = -dot(offset.hi, ray.direction) / dot(ray.direction, ray.direction);
 
-  LocalRay near;
-  near.start = Word(t0);
-  near.origin = Add(offset, TwoProduct(real3(t0), ray.direction));
-  near.direction = Word3(ray.direction);
-  return near;
+  return LocalRay(Word(t0), Add(offset, TwoProduct(real3(t0), ray.direction)), Word3(ray.direction));
 }
 
 RTG_FN LocalRay TurnToLocal(const LocalRay ray, const Glyph glyph)
@@ -154,11 +139,8 @@ RTG_FN LocalRay TurnToLocal(const LocalRay ray, const Glyph glyph)
     return ray;
   }
   DoubleWord twoOverNorm = Divide(Word(real(2.0)), SquaredNorm(glyph.rotation));
-  LocalRay local;
-  local.start = ray.start;
-  local.origin = RotateToLocal(glyph.rotation, twoOverNorm, ray.origin);
-  local.direction = RotateToLocal(glyph.rotation, twoOverNorm, ray.direction);
-  return local;
+  return LocalRay(ray.start, RotateToLocal(glyph.rotation, twoOverNorm, ray.origin),
+    RotateToLocal(glyph.rotation, twoOverNorm, ray.direction));
 }
 
 // Where a ray passes the box -halfSize .. halfSize, in plain arithmetic. False: it misses that.
@@ -197,9 +179,7 @@ RTG_FN bool
 ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 halfSize, RTG_OUT(LocalRay) local)
 {
   real radius = length(halfSize);
-  local.start = Word(real(0.0));
-  local.origin = Word3(real3(real(0.0)));
-  local.direction = Word3(ray.direction);
+  local = LocalRay(Word(real(0.0)), Word3(real3(real(0.0))), Word3(ray.direction));
   if (MissesBall(ray, glyph, RotateToWorld(glyph, middle), radius))
   {
     return false;

@@ -1,21 +1,10 @@
 // The points p with |p| <= |f(p / |p|)|, f a homogeneous polynomial of even degree k (PolynomialForm.glsl), of which
 // |f| <= 1 on the unit sphere, in the frame where the half-lengths are 1; and its affine images.
 //
-// The plane of a ray and the center cuts the glyph in the curve r = |f(phi)|, and f is a trigonometric polynomial of
-// phi with k + 1 coefficients. A ray at the distance q has r = q / cos phi, so it crosses the surface where
-//   |h(phi)| = q,  h(phi) = cos(phi) f(phi),
-// and inside the glyph |h| > q. That is the polynomial |p|^(2k+2) = F(p)^2 of C. Peters, T. Patel, W. Usher and C. R.
-// Johnson, "Ray Tracing Spherical Harmonics Glyphs", Vision, Modeling, and Visualization 2023, without powers of small
-// distances, which would leave nothing of the middle of a glyph in plain arithmetic.
-//
-// Isolation. The angle is searched in windows from where the ray enters the ball |p| <= max |f| of its plane. In each h
-// is compared with Hermite's cubic through both ends. h has degree k + 1; by Bernstein's inequality its fourth
-// derivative is at most (k + 1)^4 max |h|, so it differs from the cubic by less than width^4 / 384 of that, and its
-// slope by less than sqrt(3) width^3 / 216. The cubic lies between its four Bezier coefficients. So a window is known
-// to be empty, or to be left on one side at most once, or it is halved, until the cubic is h to plain arithmetic's
-// rounding. Where |h| turns round within rounding of q, double words decide.
-//
-// Solution. Newton's method in a bracket, at last in double words.
+// In the plane of a ray and the center the surface is r = |f(phi)|, and a ray at the distance q crosses it where |h| =
+// q, h = cos(phi) f(phi); inside the glyph |h| > q. README.md, Polynomials, has the method and its proof. After C.
+// Peters, T. Patel, W. Usher and C. R. Johnson, "Ray Tracing Spherical Harmonics Glyphs", Vision, Modeling, and
+// Visualization 2023.
 #ifndef RTG_POLYNOMIAL
 #define RTG_POLYNOMIAL
 
@@ -475,9 +464,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
           search.turnsBack = again || search.turnsBack;
           search.touches = again || search.touches;
         }
-        DoubleWord s;
-        s.hi = chord.scale * at.start.hi;
-        s.lo = chord.scale * at.start.lo;
+        DoubleWord s = DoubleWord(chord.scale * at.start.hi, chord.scale * at.start.lo);
         real t = RayParameter(chord.ray, s).hi;
         passed = settled >= RTG_ZERO ? at.start.hi : passed;
         if (settled >= RTG_ZERO && t >= tMin)
@@ -512,10 +499,7 @@ RTG_FN Enclosure PolynomialEnclosure(const Glyph glyph)
 RTG_FN real3 PolynomialNormal(const Glyph glyph, const DoubleWord3 at, const real sign)
 {
   FormPoint point = FormAt(glyph, at, true);
-  DoubleWord3 distance;
-  distance.hi = real3(point.distance.hi);
-  distance.lo = real3(point.distance.lo);
-  real3 outward = Subtract(Divide(at, distance), Multiply(point.gradient, real3(sign))).hi;
+  real3 outward = Subtract(Divide(at, Word3(point.distance)), Multiply(point.gradient, real3(sign))).hi;
   real smallest = LeastOf(glyph.size);
   return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
 }

@@ -149,14 +149,6 @@ struct FormPoint
   DoubleWord distance;  // |p|
 };
 
-RTG_FN DoubleWord Component(const DoubleWord3 a, const int axis)
-{
-  DoubleWord word;
-  word.hi = axis == 0 ? a.hi.x : axis == 1 ? a.hi.y : a.hi.z;
-  word.lo = axis == 0 ? a.lo.x : axis == 1 ? a.lo.y : a.lo.z;
-  return word;
-}
-
 // By Horner's rule in the ratios to the largest coordinate. With `exact` the gradient is right to the last digits.
 RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact)
 {
@@ -164,13 +156,13 @@ RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact
   int w = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   int u = w == 2 ? 0 : w + 1;
   int v = w == 0 ? 2 : w - 1;
-  DoubleWord largest = Component(p, w);
+  DoubleWord largest = WordOf(p, w);
   if (!(abs(largest.hi) > real(1e-30)))
   {
     largest = Word(real(1e-30));
   }
-  DoubleWord x = Divide(Component(p, u), largest);
-  DoubleWord y = Divide(Component(p, v), largest);
+  DoubleWord x = Divide(WordOf(p, u), largest);
+  DoubleWord y = Divide(WordOf(p, v), largest);
   DoubleWord sum = Word(real(0.0));
   DoubleWord byX = Word(real(0.0));
   DoubleWord byY = Word(real(0.0));

@@ -132,11 +132,7 @@ RTG_FN Span CutFlat(const LocalRay ray, const RoundConeForm form, const Glyph gl
   return Intersection(Slab(WordX(ray.origin), WordX(ray.direction), lower, upper, RTG_FIRST_DISC, RTG_LAST_DISC), span);
 }
 
-// Where a point lies to the next piece of a line. That and this piece touch the ball round their joint, each along a
-// circle. With S = |p - joint|^2 - radius^2, and b the distance of p from the plane of such a circle over the cosine of
-// the piece's angle, the quadric of the piece's side is S - b^2 (it vanishes with its gradient where S = b = 0). Two
-// such quadrics meet where the squares of their b are equal, which is in planes: so a comparison that is linear in p
-// decides on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
+// Whether a point lies in the next piece of a line: by the sign of b + b' of README.md, Round cones and lines.
 // `own`: b of this piece, for points of its side; zero for points of the ball at the joint. `ties`: whether the next
 // piece has the points in the plane itself.
 RTG_FN bool InNextPiece(const real3 p, const real3 joint, const real radius, const real4 next, const bool touches,
@@ -228,15 +224,11 @@ RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const Round
 {
   real3 middle, halfSize;
   RoundConeBox(glyph, middle, halfSize);
-  LocalRay world;
-  if (!ToLocal(ray, glyph, middle, halfSize, world))
+  if (!ToLocal(ray, glyph, middle, halfSize, local))
   {
     return NoCrossing(local, crossing);
   }
-  real3 unit = real3(RoundConeUnit(glyph));
-  local.start = world.start;
-  local.origin = Divide(world.origin, unit);
-  local.direction = Divide(world.direction, unit);
+  local = Divide(local, real3(RoundConeUnit(glyph)));
   Span span = RoundConeSpan(local, form);
   if (glyph.before.w < real(0.0) || glyph.after.w < real(0.0))
   {

@@ -23,20 +23,12 @@ struct Crossing
 
 RTG_FN Span WholeRay()
 {
-  Span span;
-  span.sIn = Word(-real(RTG_NEVER));
-  span.sOut = Word(real(RTG_NEVER));
-  span.faceIn = -1;
-  span.faceOut = -1;
-  return span;
+  return Span(Word(-real(RTG_NEVER)), Word(real(RTG_NEVER)), -1, -1);
 }
 
 RTG_FN Span EmptySpan()
 {
-  Span span = WholeRay();
-  span.sIn = Word(real(RTG_NEVER));
-  span.sOut = Word(-real(RTG_NEVER));
-  return span;
+  return Span(Word(real(RTG_NEVER)), Word(-real(RTG_NEVER)), -1, -1);
 }
 
 RTG_FN bool IsLess(const DoubleWord a, const DoubleWord b)
@@ -98,10 +90,7 @@ RTG_FN LocalRay NextTo(const LocalRay ray, const DoubleWord x)
 // The span of a ray that begins later by `start`, as one of the ray itself.
 RTG_FN Span Later(const Span span, const DoubleWord start)
 {
-  Span later = span;
-  later.sIn = Add(start, span.sIn);
-  later.sOut = Add(start, span.sOut);
-  return later;
+  return Span(Add(start, span.sIn), Add(start, span.sOut), span.faceIn, span.faceOut);
 }
 
 // Between the planes lower <= o + s d <= upper; faceLower, faceUpper name the planes.
@@ -125,17 +114,11 @@ RTG_FN Span Slab(const DoubleWord o, const DoubleWord d, const DoubleWord lower,
   bool upwards = d.hi > real(0.0);
   if (upwards)
   {
-    span.sIn = sLower;
-    span.sOut = sUpper;
-    span.faceIn = faceLower;
-    span.faceOut = faceUpper;
+    span = Span(sLower, sUpper, faceLower, faceUpper);
   }
   else
   {
-    span.sIn = sUpper;
-    span.sOut = sLower;
-    span.faceIn = faceUpper;
-    span.faceOut = faceLower;
+    span = Span(sUpper, sLower, faceUpper, faceLower);
   }
   return span;
 }
@@ -230,22 +213,15 @@ FirstCrossing(const LocalRay ray, const Span span, const real tMin, const real t
 // The answer to a ray that certainly misses.
 RTG_FN bool NoCrossing(RTG_OUT(LocalRay) ray, RTG_OUT(Crossing) crossing)
 {
-  ray.start = Word(real(0.0));
-  ray.origin = Word3(real3(real(0.0)));
-  ray.direction = Word3(real3(real(0.0)));
-  crossing.s = Word(real(0.0));
-  crossing.t = real(RTG_NEVER);
-  crossing.face = -1;
+  ray = LocalRay(Word(real(0.0)), Word3(real3(real(0.0))), Word3(real3(real(0.0))));
+  crossing = Crossing(Word(real(0.0)), real(RTG_NEVER), -1);
   return false;
 }
 
 // The local point at s in plain numbers.
 RTG_FN real3 PointAt(const LocalRay ray, const DoubleWord s)
 {
-  DoubleWord3 along;
-  along.hi = real3(s.hi);
-  along.lo = real3(s.lo);
-  return Add(ray.origin, Multiply(ray.direction, along)).hi;
+  return Add(ray.origin, Multiply(ray.direction, Word3(s))).hi;
 }
 
 // The vector from the glyph's center to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's

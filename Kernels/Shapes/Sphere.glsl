@@ -36,12 +36,7 @@ RTG_FN Span CentredSphereSpan(const DoubleWord3 o, const real3 d, const DoubleWo
     return EmptySpan();
   }
   real root = sqrt(discriminant);
-  Span span;
-  span.sIn = Word((-b - root) / a);
-  span.sOut = Word((-b + root) / a);
-  span.faceIn = 0;
-  span.faceOut = 0;
-  return span;
+  return Span(Word((-b - root) / a), Word((-b + root) / a), 0, 0);
 }
 
 // The span inside the ball of that radius round a point of the x axis, from an origin moved next to it.
@@ -58,10 +53,7 @@ RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centreX, const DoubleW
 // nearest to the center in the world is far from it here when the sizes differ much.
 RTG_FN LocalRay ToUnitSphere(const LocalRay ray, const real3 halfSize)
 {
-  LocalRay unit;
-  unit.start = ray.start;
-  unit.origin = Divide(ray.origin, halfSize);
-  unit.direction = Divide(ray.direction, halfSize);
+  LocalRay unit = Divide(ray, halfSize);
   real s = -dot(unit.origin.hi, unit.direction.hi) / dot(unit.direction.hi, unit.direction.hi);
   return Advance(unit, s);
 }

@@ -178,14 +178,6 @@ RTG_FN Window WindowOf(const SuperquadricField field, const SuperquadricProbe a,
   return window;
 }
 
-RTG_FN DoubleWord WordOf(const DoubleWord3 a, const int axis)
-{
-  DoubleWord word;
-  word.hi = axis == 0 ? a.hi.x : axis == 1 ? a.hi.y : a.hi.z;
-  word.lo = axis == 0 ? a.lo.x : axis == 1 ? a.lo.y : a.lo.z;
-  return word;
-}
-
 // The second derivative of a term, unless its plane is too near for it to mean anything.
 RTG_FN real UsefulSecond(const real f, const real slope, const real second, const real rate, const real e)
 {

@@ -26,10 +26,7 @@ RTG_FN DoubleWord FromParts(const real c0, const real c1, const real c2, const r
   RTG_PRECISE real hi = c0 + c1;
   RTG_PRECISE real rest = (c0 - hi) + c1;
   RTG_PRECISE real lo = rest + (c2 + c3);
-  DoubleWord word;
-  word.hi = hi;
-  word.lo = lo;
-  return word;
+  return DoubleWord(hi, lo);
 }
 
 // 2^(i/8 - 1/2), i = 0 .. 8.

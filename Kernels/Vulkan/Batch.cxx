@@ -28,16 +28,6 @@ Batch::~Batch()
   this->device_.batch = this->outer_;
 }
 
-Batch::Pause::Pause()
-  : paused_(std::exchange(Device::State::batch, nullptr))
-{
-}
-
-Batch::Pause::~Pause()
-{
-  Device::State::batch = this->paused_;
-}
-
 void* Batch::Stage(const Buffer& target, std::size_t offset, std::size_t size)
 {
   if (this->staged_ > 0 && this->staged_ + size > mostStaged)

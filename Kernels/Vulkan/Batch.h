@@ -19,19 +19,6 @@ public:
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
-  /// While it lives, none of this thread's batches does: for what must not wait for their Run().
-  class Pause
-  {
-  public:
-    Pause();
-    ~Pause();
-    Pause(const Pause&) = delete;
-    Pause& operator=(const Pause&) = delete;
-
-  private:
-    Batch* paused_;
-  };
-
   /// Bytes of one call of Stage().
   static constexpr std::size_t mostAtOnce = std::size_t(4) << 20;
 

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace rtg
 {
@@ -98,34 +97,6 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   this->buffer_.bindMemory(this->memory_.Handle(), this->memory_.Offset());
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
   this->mapped_ = this->memory_.Mapped();
-  // Last: a constructor that throws has no destructor that would subtract it.
-  this->allocated_ = needs.size;
-  device.bytes += this->allocated_;
-}
-
-Buffer::~Buffer()
-{
-  if (this->device_)
-  {
-    this->device_->bytes -= this->allocated_;
-  }
-}
-
-Buffer::Buffer(Buffer&& other) noexcept
-{
-  *this = std::move(other);
-}
-
-Buffer& Buffer::operator=(Buffer&& other) noexcept
-{
-  std::swap(this->device_, other.device_);
-  std::swap(this->size_, other.size_);
-  std::swap(this->allocated_, other.allocated_);
-  std::swap(this->buffer_, other.buffer_);
-  std::swap(this->memory_, other.memory_);
-  std::swap(this->address_, other.address_);
-  std::swap(this->mapped_, other.mapped_);
-  return *this;
 }
 
 void Buffer::Fit(Device::State& device, std::size_t size, Place place)

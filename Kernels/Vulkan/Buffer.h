@@ -23,11 +23,6 @@ public:
   /// Throws vk::SystemError, or rtg::Error where the device allows no such size. A size of zero makes an empty buffer
   /// with address 0.
   Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usage, Place place);
-  ~Buffer();
-  Buffer(Buffer&& other) noexcept;
-  Buffer& operator=(Buffer&& other) noexcept;
-  Buffer(const Buffer&) = delete;
-  Buffer& operator=(const Buffer&) = delete;
 
   /// Makes it a buffer of programs of at least that size, of any content. A larger one stays, unless it is far too
   /// large.
@@ -55,7 +50,6 @@ public:
 private:
   Device::State* device_ = nullptr;
   std::size_t size_ = 0;
-  std::size_t allocated_ = 0;
   MemoryPiece memory_; ///< goes after the buffer
   vk::raii::Buffer buffer_{ nullptr };
   vk::DeviceAddress address_ = 0;

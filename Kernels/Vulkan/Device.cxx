@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -296,7 +295,7 @@ void Device::Choose()
   state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
 }
 
-void Device::Start(bool keepsPrograms)
+void Device::Start()
 {
   State& state = *this->state_;
   state.sharesMemory = state.cpu;
@@ -311,7 +310,6 @@ void Device::Start(bool keepsPrograms)
   }
   state.device = MakeDevice(state.physical, state.queueFamily, state.rayQueries);
   state.queue = state.device.getQueue(state.queueFamily, 0);
-  state.LoadPrograms(keepsPrograms);
   const vk::DescriptorSetLayoutBinding block(
     0, vk::DescriptorType::eUniformBuffer, 1, vk::ShaderStageFlagBits::eCompute);
   state.frameLayout = vk::raii::DescriptorSetLayout(state.device, vk::DescriptorSetLayoutCreateInfo({}, block));
@@ -356,14 +354,14 @@ std::shared_ptr<Device> Device::Shared()
   return device;
 }
 
-std::shared_ptr<Device> Device::Another(bool keepsPrograms)
+std::shared_ptr<Device> Device::Another()
 {
   const std::shared_ptr<Device> device(new Device);
   StartingVulkan(
     [&]()
     {
       device->Choose();
-      device->Start(keepsPrograms);
+      device->Start();
     });
   return device;
 }
@@ -397,7 +395,7 @@ bool Device::Lost() const
 
 std::uint64_t Device::HeldBytes() const
 {
-  return this->state_->bytes;
+  return this->state_->memory.bytes;
 }
 
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
@@ -461,45 +459,6 @@ Device::State::Submission Device::State::TakeSubmission()
   return made;
 }
 
-void Device::State::LoadPrograms(bool keeps)
-{
-  const vk::PhysicalDeviceProperties properties = this->physical.getProperties();
-  std::ostringstream name;
-  name << "programs-" << RTGLYPHS_VERSION << std::hex << std::setfill('0');
-  for (const std::uint32_t number : { properties.vendorID, properties.deviceID, properties.driverVersion })
-  {
-    name << '-' << number;
-  }
-  name << '-';
-  for (const std::uint8_t byte : properties.pipelineCacheUUID)
-  {
-    name << std::setw(2) << unsigned(byte);
-  }
-  this->cacheFile_ = keeps ? CacheFile(CacheFolder(), name.str()) : CacheFile();
-  const std::vector<std::uint8_t> data = this->cacheFile_.Load();
-  this->cachedBytes_ = data.size();
-  this->programCache = vk::raii::PipelineCache(this->device, vk::PipelineCacheCreateInfo({}, data.size(), data.data()));
-}
-
-void Device::State::SavePrograms() noexcept
-{
-  const std::lock_guard<std::mutex> lock(this->cacheMutex_);
-  try
-  {
-    const std::vector<std::uint8_t> data = this->programCache.getData();
-    // Some drivers keep nothing behind the header, lavapipe among them.
-    if (data.size() > sizeof(VkPipelineCacheHeaderVersionOne) && data.size() != this->cachedBytes_)
-    {
-      this->cacheFile_.Save(data);
-      this->cachedBytes_ = data.size();
-    }
-  }
-  catch (const std::exception&)
-  {
-    // Later processes compile again what could not be kept; nothing else is lost.
-  }
-}
-
 void Device::State::ThrowOutOfMemory(const char* doing, const std::string& what)
 {
   throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name + "': " + what +
@@ -520,7 +479,8 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
   else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
     dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
-    this->ThrowOutOfMemory(doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
+    this->ThrowOutOfMemory(
+      doing, "out of memory with " + std::to_string(this->memory.bytes.load() >> 20) + " MiB held");
   }
   else
   {

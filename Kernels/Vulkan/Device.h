@@ -17,9 +17,8 @@ public:
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 
-  /// Another device of the same kind, for work that would delay this one's launches; not shared. It may
-  /// leave the programs that earlier processes have kept alone.
-  static std::shared_ptr<Device> Another(bool keepsPrograms = true);
+  /// Another device of the same kind, for work that would delay this one's launches; not shared.
+  static std::shared_ptr<Device> Another();
 
   struct Choice
   {
@@ -45,7 +44,7 @@ public:
 private:
   Device();
   void Choose();
-  void Start(bool keepsPrograms);
+  void Start();
 
   std::unique_ptr<State> state_;
 };

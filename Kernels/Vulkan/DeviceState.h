@@ -3,7 +3,6 @@
 
 #include "Device.h"
 #include "Memory.h"
-#include "ProgramCache.h"
 
 #include "../Glyphs.h"
 
@@ -60,9 +59,7 @@ struct Device::State
   bool miscompilesTrees = false;
   vk::PipelineStageFlags programStages; ///< in which programs run and structures are built
   std::atomic<bool> lost{ false };
-  std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
-  vk::raii::PipelineCache programCache{ nullptr };      ///< for all pipelines
   vk::raii::DescriptorSetLayout frameLayout{ nullptr }; ///< of all programs: the uniform block of a launch
   vk::raii::PipelineLayout programLayout{ nullptr };
   std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
@@ -70,11 +67,6 @@ struct Device::State
 
   /// Records commands, submits them and waits until they are done. In any thread.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
-
-  /// Starts `programCache` with what processes before have left on disk.
-  void LoadPrograms(bool keeps);
-  /// Leaves on disk what the driver has compiled since, where that can be done. In any thread.
-  void SavePrograms() noexcept;
 
   /// Runs `work`; throws failures of Vulkan, and exhausted memory of the computer, as one rtg::Error
   /// that says what was being done.
@@ -107,9 +99,6 @@ private:
 
   std::mutex submissionMutex_;
   std::vector<Submission> idleSubmissions_; ///< as many as threads have submitted at once
-  CacheFile cacheFile_;
-  std::mutex cacheMutex_;
-  std::size_t cachedBytes_ = 0; ///< on disk
 
   [[noreturn]] void Rethrow(const char* doing, const vk::SystemError& error);
   [[noreturn]] void ThrowOutOfMemory(const char* doing, const std::string& what);

@@ -130,6 +130,7 @@ Memory::Allocate(const vk::raii::Device& device, const vk::MemoryRequirements& n
     const std::optional<vk::DeviceSize> offset = block.Take(piece.size_, alignment);
     if (offset)
     {
+      this->bytes += piece.size_;
       piece.offset_ = *offset;
       piece.block_ = &block;
       piece.owner_ = this;
@@ -166,6 +167,7 @@ Memory::Allocate(const vk::raii::Device& device, const vk::MemoryRequirements& n
 void Memory::Free(MemoryPiece& piece)
 {
   const std::lock_guard<std::mutex> lock(this->mutex_);
+  this->bytes -= piece.size_;
   try
   {
     piece.block_->GiveBack(piece.offset_, piece.size_);

@@ -4,6 +4,7 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <list>
@@ -60,6 +61,8 @@ public:
 
   /// vkAllocateMemory calls whose memory is not freed yet.
   std::size_t Blocks() const;
+
+  std::atomic<std::uint64_t> bytes{ 0 }; ///< of all pieces
 
   /// Of new blocks that are shared. 0: each piece has a block of its own. Tests set it.
   std::size_t blockBytes = std::size_t(16) << 20;

@@ -1,6 +1,5 @@
 #include "Pipeline.h"
 
-#include "Programs.h"
 #include "Specialize.h"
 
 namespace rtg
@@ -31,16 +30,15 @@ void FrameBlock::Send(vk::raii::CommandBuffer& command, const device::FrameRecor
     this->device_->programStages, vk::AccessFlagBits::eUniformRead | vk::AccessFlagBits::eShaderRead);
 }
 
-Pipeline::Pipeline(Device::State& device, const Specialization& specialization)
+Pipeline::Pipeline(Device::State& device, const programs::Code& code, const Constants& constants)
   : device_(&device)
 {
-  const std::vector<std::uint32_t> words =
-    Specialize(programs::modules[specialization.program], specialization.constants);
+  const std::vector<std::uint32_t> words = Specialize(code, constants);
   const vk::raii::ShaderModule module(
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(words[0]), words.data()));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
-  this->pipeline_ = vk::raii::Pipeline(
-    device.device, device.programCache, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
+  this->pipeline_ =
+    vk::raii::Pipeline(device.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
 }
 
 void Pipeline::Trace(

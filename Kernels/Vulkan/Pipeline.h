@@ -1,9 +1,9 @@
 #pragma once
 
 #include "Buffer.h"
+#include "Programs.h"
 
 #include "../HostDevice.h"
-#include "../Shading/List.h"
 
 #include <cstddef>
 
@@ -20,15 +20,10 @@ struct Constants
   bool operator==(const Constants&) const = default;
 };
 
-/// The number of the program that comes after those of Shading/List.h: probe.comp.
-#define RTG_COUNT(...) +1
-constexpr std::uint32_t probeProgram = RTG_SHADINGS(RTG_COUNT);
-#undef RTG_COUNT
-
 /// A program, and what it is specialized for.
 struct Specialization
 {
-  std::uint32_t program = 0; ///< number of a shading, or probeProgram
+  std::uint32_t program = 0; ///< number of a shading
   Constants constants;
 
   bool operator==(const Specialization&) const = default;
@@ -60,7 +55,7 @@ class Pipeline
 {
 public:
   /// Throws vk::SystemError.
-  Pipeline(Device::State& device, const Specialization& specialization);
+  Pipeline(Device::State& device, const programs::Code& code, const Constants& constants);
 
   /// Binds and launches; `frame` is the uniform block that the program sees. In any thread.
   void

@@ -22,7 +22,8 @@ constexpr std::size_t keptPrograms = 24; // lavapipe takes some 17 MB for each
 // many seconds.
 std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specialization& specialization, double& seconds)
 {
-  auto pipeline = std::make_unique<Pipeline>(vulkan, specialization);
+  auto pipeline =
+    std::make_unique<Pipeline>(vulkan, programs::modules[specialization.program], specialization.constants);
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;
@@ -47,7 +48,7 @@ std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Special
   double before = 0.0, after = 0.0;
   if (vulkan.cpu && helps)
   {
-    MakePipeline(Device::Another(/*keepsPrograms=*/false)->GetState(), specialization, before);
+    MakePipeline(Device::Another()->GetState(), specialization, before);
   }
   std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization, after);
   helps = helps && (before < worthSaving || after < 0.5 * before);
@@ -119,17 +120,12 @@ void ProgramLibrary::Compile(Program& program)
   {
     failure = std::current_exception();
   }
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  if (IsCompiling(program))
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    if (!IsCompiling(program))
-    {
-      return;
-    }
     program.pipeline = std::move(pipeline);
     failure ? program.done.set_exception(failure) : program.done.set_value();
   }
-  // The program is used meanwhile.
-  this->device_->SavePrograms();
 }
 
 // The program of that key, which now is the last used one; null: there is none. The mutex is held.

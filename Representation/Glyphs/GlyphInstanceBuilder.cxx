@@ -224,9 +224,7 @@ private:
         const rtg::GlyphInstances& all = this->Instances;
         for (vtkIdType k = begin; k < end; ++k)
         {
-          const float length = !all.sizes3.empty() ? all.sizes3[k][this->Maker.ShiftAxis()]
-            : !all.sizes1.empty()                  ? all.sizes1[k]
-                                                   : all.uniformSize;
+          const float length = all.SizeOf(k)[this->Maker.ShiftAxis()];
           const glm::dvec3 center = this->Maker.CenterOf(this->Out.Points[k], all.origin, tuples,
             this->Shifts.empty() ? this->Maker.GetShift() : this->Shifts[k], length,
             all.rotations.empty() ? rtglyphs::GlyphMaker::NoTurn : all.rotations[k]);

@@ -37,11 +37,6 @@ std::string NameOf(rtg::Shape shape)
   }
 }
 
-glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
-{
-  return !all.sizes3.empty() ? all.sizes3[glyph] : glm::vec3(all.sizes1.empty() ? all.uniformSize : all.sizes1[glyph]);
-}
-
 // Display color: red, green, blue and opacity.
 glm::vec4 Unpacked(std::uint32_t packed)
 {
@@ -127,7 +122,7 @@ public:
   {
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
-      this->Add(part, glyph, SizeOf(this->All, glyph));
+      this->Add(part, glyph, this->All.SizeOf(glyph));
     }
   }
 
@@ -138,7 +133,7 @@ public:
     const std::size_t end = this->AddMesh("End", rtglyphs::GlyphTessellation::HalfBall());
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
-      const glm::vec3 size = SizeOf(this->All, glyph);
+      const glm::vec3 size = this->All.SizeOf(glyph);
       const float half = 0.5f * size.x;
       this->Add(middle, glyph, { size.x, 0.5f * size.y, 0.5f * size.z }, { -half, 0.0f, 0.0f });
       const float widest = std::max(size.y, size.z);
@@ -157,7 +152,7 @@ public:
     const std::size_t head = hasHeads ? this->AddMesh("Head", rtglyphs::GlyphTessellation::ArrowHead(form)) : 0;
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
-      const glm::vec3 size = SizeOf(this->All, glyph);
+      const glm::vec3 size = this->All.SizeOf(glyph);
       glm::vec3 unit = size; // of the arrow that has this one's head
       if (form.fixedHeads)
       {
@@ -185,7 +180,7 @@ public:
     glm::dvec3 last(HUGE_VAL); // middle of the last ball
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
-      const glm::vec3 size = SizeOf(this->All, glyph);
+      const glm::vec3 size = this->All.SizeOf(glyph);
       const bool flat[] = { !this->All.before.empty() && this->All.before[glyph].w < 0.0f,
         !this->All.after.empty() && this->All.after[glyph].w < 0.0f };
       const double radii[] = { 0.5 * size.y, 0.5 * size.z }, half = 0.5 * size.x;
@@ -244,7 +239,7 @@ public:
           nested ? rtglyphs::GlyphTessellation::NestedSuperquadric(e, facets)
                  : rtglyphs::GlyphTessellation::Superquadric(e, facets));
       }
-      this->Add(found->second, glyph, SizeOf(this->All, glyph));
+      this->Add(found->second, glyph, this->All.SizeOf(glyph));
     }
     return true;
   }

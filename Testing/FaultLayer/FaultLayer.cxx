@@ -4,16 +4,14 @@
 //   FUNCTION N                the Nth call of FUNCTION from now on fails, and the file is removed
 //   FUNCTION N always         that call and all further ones fail, while the file is there
 // FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory,
-// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY,
-// vkGetPipelineCacheData, which answers VK_ERROR_OUT_OF_HOST_MEMORY, or mmap: vkMapMemory then answers VK_SUCCESS and
-// maps nothing, as lavapipe's does where the computer has no memory left.
+// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY, or mmap: vkMapMemory
+// then answers VK_SUCCESS and maps nothing, as lavapipe's does where the computer has no memory left.
 //
 // Where a device is left when the process destroys what is static, the layer says so and ends the process with
 // status 1.
 //
 // It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties(), Properties2() and
-// Features2(). And where RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
-// GetPipelineCacheData().
+// Features2().
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -48,8 +46,6 @@ struct Next
   PFN_vkMapMemory mapMemory = nullptr;
   PFN_vkCreateBuffer createBuffer = nullptr;
   PFN_vkCreateAccelerationStructureKHR createAccelerationStructure = nullptr;
-  PFN_vkCreatePipelineCache createPipelineCache = nullptr;
-  PFN_vkGetPipelineCacheData getPipelineCacheData = nullptr;
 };
 std::map<void*, Next> devices; // by the loader's dispatch table, which a device and its queues share
 
@@ -217,8 +213,6 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(
     find(next.mapMemory, "vkMapMemory");
     find(next.createBuffer, "vkCreateBuffer");
     find(next.createAccelerationStructure, "vkCreateAccelerationStructureKHR");
-    find(next.createPipelineCache, "vkCreatePipelineCache");
-    find(next.getPipelineCacheData, "vkGetPipelineCacheData");
     const std::lock_guard<std::mutex> lock(mutex);
     devices[Key(*device)] = next;
     std::fprintf(stderr, "FaultLayer: device made\n");
@@ -284,40 +278,6 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateAccelerationStructure(VkDevice device,
     : NextOf(device).createAccelerationStructure(device, info, allocator, structure);
 }
 
-// As if the driver had compiled something: its data and this.
-constexpr char compiled[] = "compiled programs";
-
-VKAPI_ATTR VkResult VKAPI_CALL GetPipelineCacheData(
-  VkDevice device, VkPipelineCache cache, std::size_t* size, void* data)
-{
-  if (Due("vkGetPipelineCacheData"))
-  {
-    return VK_ERROR_OUT_OF_HOST_MEMORY;
-  }
-  const std::size_t own = std::getenv("RTGLYPHS_KEEPS") ? sizeof(compiled) : 0;
-  *size -= data ? own : 0;
-  const VkResult result = NextOf(device).getPipelineCacheData(device, cache, size, data);
-  if (data)
-  {
-    std::memcpy(static_cast<char*>(data) + *size, compiled, own);
-  }
-  *size += own;
-  return result;
-}
-
-VKAPI_ATTR VkResult VKAPI_CALL CreatePipelineCache(VkDevice device, const VkPipelineCacheCreateInfo* info,
-  const VkAllocationCallbacks* allocator, VkPipelineCache* cache)
-{
-  VkPipelineCacheCreateInfo own = *info;
-  const auto* end = static_cast<const char*>(own.pInitialData) + own.initialDataSize;
-  if (own.initialDataSize > sizeof(compiled) && !std::memcmp(end - sizeof(compiled), compiled, sizeof(compiled)))
-  {
-    std::fprintf(stderr, "FaultLayer: programs of another process\n");
-    own.initialDataSize -= sizeof(compiled);
-  }
-  return NextOf(device).createPipelineCache(device, &own, allocator, cache);
-}
-
 PFN_vkVoidFunction OwnDeviceFunction(const std::string& name)
 {
   static const std::map<std::string, PFN_vkVoidFunction> own{
@@ -328,8 +288,6 @@ PFN_vkVoidFunction OwnDeviceFunction(const std::string& name)
     { "vkMapMemory", reinterpret_cast<PFN_vkVoidFunction>(MapMemory) },
     { "vkCreateBuffer", reinterpret_cast<PFN_vkVoidFunction>(CreateBuffer) },
     { "vkCreateAccelerationStructureKHR", reinterpret_cast<PFN_vkVoidFunction>(CreateAccelerationStructure) },
-    { "vkCreatePipelineCache", reinterpret_cast<PFN_vkVoidFunction>(CreatePipelineCache) },
-    { "vkGetPipelineCacheData", reinterpret_cast<PFN_vkVoidFunction>(GetPipelineCacheData) },
   };
   const auto found = own.find(name);
   return found == own.end() ? nullptr : found->second;

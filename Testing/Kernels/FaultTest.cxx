@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +17,6 @@
 #include <new>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace
@@ -350,24 +348,6 @@ TEST_P(FaultTest, AnImageThatFailedIsNotGoneOnWith)
   }
   EXPECT_THROW(tracer.Resume(*scene), rtg::Error);
   EXPECT_TRUE(Trace(*scene, tracer) == Trace(*scene));
-}
-
-/// What the driver has compiled is kept on disk where that can be done; a program is none the worse where it cannot.
-TEST_P(FaultTest, AProgramThatCannotBeKeptIsCompiledAllTheSame)
-{
-  rtg::Specialization specialization;
-  specialization.constants.rayQueries = GetParam() == rtg::Structure::Boxes;
-  specialization.constants.shapes = 1u;
-  specialization.constants.degree = 5432u; // of no other test
-  const Fault fault("vkGetPipelineCacheData", 1);
-  const auto [program, began] = this->device->GetState().programs->Get(specialization);
-  EXPECT_TRUE(began);
-  EXPECT_NO_THROW(program->compiled.get());
-  EXPECT_TRUE(program->pipeline);
-  while (fault.Pending())
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
 }
 
 // No thread has waited for it: the view that wanted it is gone.

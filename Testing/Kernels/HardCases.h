@@ -48,9 +48,7 @@ typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances
 {
   typename shapes::Kernel<Real>::Glyph glyph{};
   glyph.centre = instances.centres[index];
-  glyph.size = !instances.sizes3.empty()
-    ? instances.sizes3[index]
-    : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
+  glyph.size = instances.SizeOf(index);
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
   glyph.sameSize = instances.sizes3.empty();

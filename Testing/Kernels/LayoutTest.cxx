@@ -79,7 +79,7 @@ TEST(LayoutTest, HostAndDeviceAgree)
 {
   Layout layout;
 #define RTG_COUNT(...) +1
-  constexpr std::size_t programs = 1 RTG_SHADINGS(RTG_COUNT); // and the one for probes
+  constexpr std::size_t programs = RTG_SHADINGS(RTG_COUNT);
 #undef RTG_COUNT
   for (std::size_t program = 0; program < programs; ++program)
   {
@@ -102,8 +102,6 @@ TEST(LayoutTest, HostAndDeviceAgree)
   RTG_EXPECT(GlyphSetRecord, meshVelocities);
   RTG_EXPECT(GlyphSetRecord, coatColour);
   RTG_EXPECT(LightRecord, exponent);
-  RTG_EXPECT(ProbeRecord, time);
-  RTG_EXPECT(ProbeResult, glyph);
   RTG_EXPECT(PixelSums, depth);
   RTG_EXPECT(PixelFeatures, hits);
   RTG_EXPECT(FrameRecord, topLevels);
@@ -118,8 +116,6 @@ TEST(LayoutTest, HostAndDeviceAgree)
 #undef RTG_EXPECT
   EXPECT_EQ(layout.strides["GlyphSetRecord"], Offsets{ sizeof(device::GlyphSetRecord) });
   EXPECT_EQ(layout.strides["LightRecord"], Offsets{ sizeof(device::LightRecord) });
-  EXPECT_EQ(layout.strides["ProbeRecord"], Offsets{ sizeof(device::ProbeRecord) });
-  EXPECT_EQ(layout.strides["ProbeResult"], Offsets{ sizeof(device::ProbeResult) });
   EXPECT_EQ(layout.strides["PixelSums"], Offsets{ sizeof(device::PixelSums) });
   EXPECT_EQ(layout.strides["PixelFeatures"], Offsets{ sizeof(device::PixelFeatures) });
 }

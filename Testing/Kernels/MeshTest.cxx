@@ -1,5 +1,6 @@
 // Mesh glyphs and surfaces through the pipeline.
 #include "BoxMesh.h"
+#include "Probes.h"
 #include "Scene.h"
 #include "SceneState.h"
 #include "SharedDevice.h"
@@ -81,9 +82,9 @@ protected:
     return instances;
   }
 
-  std::vector<rtg::Tracer::Probe> RandomProbes(std::size_t count, const glm::dvec3& around)
+  std::vector<rtg::testing::Probe> RandomProbes(std::size_t count, const glm::dvec3& around)
   {
-    std::vector<rtg::Tracer::Probe> probes;
+    std::vector<rtg::testing::Probe> probes;
     for (std::size_t i = 0; i < count; ++i)
     {
       const glm::dvec3 from(this->Uniform(-9, 9), this->Uniform(-9, 9), this->Uniform(0, 1) < 0.5f ? -9 : 9);
@@ -93,10 +94,10 @@ protected:
     return probes;
   }
 
-  std::vector<rtg::Tracer::ProbeHit> Probe(const std::vector<rtg::Tracer::Probe>& probes)
+  std::vector<rtg::testing::ProbeHit> Probe(const std::vector<rtg::testing::Probe>& probes)
   {
     this->scene.Commit();
-    return this->tracer.TraceProbes(this->scene, probes);
+    return rtg::testing::TraceProbes(this->scene, probes);
   }
 
   // One triangle in the plane z = 0 that fills the view's lower left half, traced without lighting.
@@ -230,7 +231,7 @@ TEST_F(MeshTest, NormalsHaveUnitLengthAtEveryScale)
         own.SetInstances(own.Add(), instances);
         own.Commit();
         const double world = double(scale) * size;
-        const auto hits = this->tracer.TraceProbes(own, { { glm::dvec3(0, 0, 2.0 * world), glm::vec3(0, 0, -1) } });
+        const auto hits = rtg::testing::TraceProbes(own, { { glm::dvec3(0, 0, 2.0 * world), glm::vec3(0, 0, -1) } });
         ASSERT_TRUE(std::isfinite(hits[0].t)) << "scale 2^" << exponent;
         EXPECT_LE(glm::distance(hits[0].normal, glm::normalize(glm::cross(a, b))), 1e-5f)
           << "scale 2^" << exponent << ", size " << size;
@@ -256,13 +257,13 @@ TEST_F(MeshTest, TrianglesWithoutAreaHaveNormals)
   instances.mesh = Share(std::move(mesh));
   instances.centres = { glm::vec3(0.0f) };
   this->scene.SetInstances(this->scene.Add(), instances);
-  std::vector<rtg::Tracer::Probe> probes;
+  std::vector<rtg::testing::Probe> probes;
   for (int i = 0; i < 150000; ++i)
   {
     probes.push_back({ glm::dvec3(this->Uniform(-0.9f, 0.9f), this->Uniform(-0.9f, 0.9f), 5.0), { 0.06f, 0.04f, -1 } });
   }
   int met = 0;
-  for (const rtg::Tracer::ProbeHit& hit : this->Probe(probes))
+  for (const rtg::testing::ProbeHit& hit : this->Probe(probes))
   {
     met += std::isfinite(hit.t);
     EXPECT_TRUE(!std::isfinite(hit.t) || std::abs(glm::length(hit.normal) - 1.0f) < 1e-5f);
@@ -384,7 +385,7 @@ TEST_F(MeshTest, SameMeshElsewhereIsNotBuiltAgain)
   instances.centres = { { 0, 0, 0 } };
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
-  const std::vector<rtg::Tracer::Probe> probe = { { { 0, 0, 9 }, { 0, 0, -1 } } };
+  const std::vector<rtg::testing::Probe> probe = { { { 0, 0, 9 }, { 0, 0, -1 } } };
   EXPECT_FLOAT_EQ(this->Probe(probe)[0].t, 8.5f);
   const auto builds = this->scene.GetStatistics().structureBuilds;
   instances.centres = { { 0, 0, -1 } };

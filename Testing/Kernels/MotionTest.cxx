@@ -1,6 +1,7 @@
 // Glyphs that move while the shutter is open, against closed forms and against brute-force integration in double.
 #include "GlyphBoxes.h"
 #include "MovingGlyphs.h"
+#include "Probes.h"
 
 #include <cstring>
 
@@ -107,18 +108,18 @@ protected:
     instances.motion.shutterClose = 0.4f;
     this->Add(instances);
     EXPECT_TRUE(this->HasSlices());
-    std::vector<rtg::Tracer::Probe> probes;
+    std::vector<rtg::testing::Probe> probes;
     for (int i = 0; i < 1000; ++i)
     {
       // At a glyph where it then is, so that most rays hit.
-      rtg::Tracer::Probe probe;
+      rtg::testing::Probe probe;
       probe.time = make.Uniform(0.0f, 0.9999f);
       const Double::Glyph glyph = GlyphAt(instances, i % 40, instances.motion.Time(probe.time));
       probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
       probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.1f)) - probe.origin);
       probes.push_back(probe);
     }
-    const auto found = this->tracer.TraceProbes(this->scene, probes);
+    const auto found = rtg::testing::TraceProbes(this->scene, probes);
     int hits = 0, doubtful = 0;
     for (std::size_t i = 0; i < probes.size(); ++i)
     {

@@ -1,6 +1,7 @@
 // Meshes that move as a whole or position by position, against boxes in double and against themselves at rest.
 #include "BoxMesh.h"
 #include "MovingGlyphs.h"
+#include "Probes.h"
 
 #include <cstring>
 #include <numbers>
@@ -48,18 +49,18 @@ protected:
   {
     MovingGlyphs make(4);
     const std::size_t count = meshes.Count();
-    std::vector<rtg::Tracer::Probe> probes;
+    std::vector<rtg::testing::Probe> probes;
     for (int i = 0; i < 1000; ++i)
     {
       // At a glyph where it then is, so that most rays hit.
-      rtg::Tracer::Probe probe;
+      rtg::testing::Probe probe;
       probe.time = make.Uniform(0.0f, 0.9999f);
       const Double::Glyph glyph = boxAt(i % count, meshes.motion.Time(probe.time));
       probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
       probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.2f)) - probe.origin);
       probes.push_back(probe);
     }
-    const auto found = this->tracer.TraceProbes(this->scene, probes);
+    const auto found = rtg::testing::TraceProbes(this->scene, probes);
     int hits = 0, doubtful = 0;
     for (std::size_t i = 0; i < probes.size(); ++i)
     {
@@ -222,12 +223,12 @@ TEST_P(MovingMesh, NormalsTurnWithTheirTriangles)
   instances.motion.shutterOpen = 0.0f;
   instances.motion.shutterClose = 1.0f;
   this->Add(instances);
-  std::vector<rtg::Tracer::Probe> probes;
+  std::vector<rtg::testing::Probe> probes;
   for (const float time : { 0.0f, 0.3f, 0.9f })
   {
     probes.push_back({ { 0.2, 0.1, 5 }, { 0, 0, -1 }, time });
   }
-  const auto found = this->tracer.TraceProbes(this->scene, probes);
+  const auto found = rtg::testing::TraceProbes(this->scene, probes);
   for (std::size_t i = 0; i < probes.size(); ++i)
   {
     EXPECT_NEAR(found[i].t, 5.0f - 1.1f * probes[i].time, 1e-5f);
@@ -259,10 +260,10 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
   instances.centres = { glm::vec3(0.3f) };
   instances.mesh = Share(mesh);
   this->Add(instances);
-  std::vector<rtg::Tracer::Probe> probes;
+  std::vector<rtg::testing::Probe> probes;
   for (int i = 0; i < 20000; ++i)
   {
-    rtg::Tracer::Probe probe;
+    rtg::testing::Probe probe;
     probe.time = make.Uniform(0.0f, 0.9999f);
     probe.origin = glm::dvec3(0.3) + glm::dvec3(make.Vector(0.3f));
     const double time = instances.motion.Time(probe.time);
@@ -275,7 +276,7 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
     probe.direction = glm::vec3(aim - probe.origin);
     probes.push_back(probe);
   }
-  const auto found = this->tracer.TraceProbes(this->scene, probes);
+  const auto found = rtg::testing::TraceProbes(this->scene, probes);
   EXPECT_EQ(0, std::count_if(found.begin(), found.end(), [](const auto& hit) { return !std::isfinite(hit.t); }));
   // A box of the tree that were too small would also lose what lies behind the first triangles.
   int near = 0;
@@ -396,7 +397,7 @@ TEST_P(MovingMesh, RefusesWhatMakesNoSense)
     return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   EXPECT_EQ(message([](auto&, auto&) {}), "");
-  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); }).find("7 velocities for 8"),
+  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); }).find("7 velocities; it must have 8"),
     std::string::npos);
   EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.accelerations[2].x = NAN; }).find("nan"), std::string::npos);
   EXPECT_NE(

@@ -1,6 +1,7 @@
 // The hard cases through the programs: the same bounds as for the kernels in C++.
 #include "CaseRays.h"
 #include "Measure.h"
+#include "Probes.h"
 #include "Scene.h"
 #include "SharedDevice.h"
 #include "SubjectName.h"
@@ -77,7 +78,7 @@ protected:
     for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)
     {
       std::vector<HardRay> rays;
-      std::vector<Tracer::Probe> probes;
+      std::vector<rtg::testing::Probe> probes;
       for (const HardRay& ray : hard.rays)
       {
         if (ray.glyph == i)
@@ -92,7 +93,7 @@ protected:
       }
       this->scene_.SetInstances(this->set_, Single(hard.instances, i));
       this->scene_.Commit();
-      const std::vector<Tracer::ProbeHit> hits = this->tracer_.TraceProbes(this->scene_, probes);
+      const std::vector<rtg::testing::ProbeHit> hits = rtg::testing::TraceProbes(this->scene_, probes);
       ReferenceGlyph reference(hard.instances, i);
       for (std::size_t k = 0; k < rays.size(); ++k)
       {

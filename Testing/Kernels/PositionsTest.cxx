@@ -1,6 +1,7 @@
 // Every glyph stands where it is, to 1e-6 of its size, whatever lies elsewhere: of every shape, at rest and in motion.
 #include "BoxMesh.h"
 #include "CaseRays.h"
+#include "Probes.h"
 #include "Scene.h"
 #include "SceneState.h"
 #include "SharedDevice.h"
@@ -59,21 +60,22 @@ protected:
     return glyphs;
   }
 
-  std::vector<Tracer::ProbeHit> Probe(const rtg::GlyphInstances& glyphs, const std::vector<Tracer::Probe>& probes)
+  std::vector<rtg::testing::ProbeHit>
+  Probe(const rtg::GlyphInstances& glyphs, const std::vector<rtg::testing::Probe>& probes)
   {
     rtg::Scene scene(this->device);
     scene.GetState().structure = std::get<0>(GetParam());
     const auto id = scene.Add();
     scene.SetInstances(id, glyphs);
     scene.Commit();
-    return this->tracer.TraceProbes(scene, probes);
+    return rtg::testing::TraceProbes(scene, probes);
   }
 
   // Probes meet that set where they meet the same glyph alone, at the origin.
-  void ExpectAsAlone(rtg::Scene& scene, const std::vector<Tracer::Probe>& probes, rtg::Scene::SetId set,
-    const std::vector<Tracer::ProbeHit>& alone)
+  void ExpectAsAlone(rtg::Scene& scene, const std::vector<rtg::testing::Probe>& probes, rtg::Scene::SetId set,
+    const std::vector<rtg::testing::ProbeHit>& alone)
   {
-    const auto hits = this->tracer.TraceProbes(scene, probes);
+    const auto hits = rtg::testing::TraceProbes(scene, probes);
     int met = 0;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
@@ -101,7 +103,7 @@ TEST_P(PositionsTest, SurviveOutliers)
   for (const glm::dvec3& middle : { glm::dvec3(0.0), glm::dvec3(1e6, -3e5, 2e5) })
   {
     const glm::dvec3 marked = middle + glm::dvec3(0.123456789012, -0.3141592653589, 0.2718281828459);
-    std::vector<Tracer::Probe> probes, aloneProbes;
+    std::vector<rtg::testing::Probe> probes, aloneProbes;
     for (int i = 0; i < 40; ++i)
     {
       const glm::dvec3 from = 0.1 * glm::normalize(vector());
@@ -170,7 +172,7 @@ TEST_P(PositionsTest, NeedlesAreMet)
         needles.motion.velocities.emplace_back(0.25f, 0.0f, 0.0f);
       }
     }
-    std::vector<Tracer::Probe> probes;
+    std::vector<rtg::testing::Probe> probes;
     for (int i = 0; i < 10 * count; ++i)
     {
       glm::vec3 direction = glm::normalize(glm::vec3(uniform(random), uniform(random), uniform(random)));
@@ -187,7 +189,7 @@ TEST_P(PositionsTest, NeedlesAreMet)
     const auto set = scene.Add();
     scene.SetInstances(set, needles);
     scene.Commit();
-    const auto hits = this->tracer.TraceProbes(scene, probes);
+    const auto hits = rtg::testing::TraceProbes(scene, probes);
     int missed = 0;
     for (std::size_t i = 0; i < hits.size(); ++i)
     {
@@ -202,7 +204,7 @@ TEST_P(PositionsTest, NeedlesAreMet)
 TEST_P(PositionsTest, SurviveAnotherOrigin)
 {
   const glm::dvec3 first(0.1, 0.2, 0.3), marked = first + glm::dvec3(123.456789012, -314.1592653589, 271.828182846);
-  std::vector<Tracer::Probe> probes, aloneProbes;
+  std::vector<rtg::testing::Probe> probes, aloneProbes;
   for (int i = 0; i < 20; ++i)
   {
     const glm::dvec3 from(0.1, 0.0005 * i - 0.005, 0.0003 * i);
@@ -230,7 +232,7 @@ TEST_P(PositionsTest, MeshesSurviveAnotherOrigin)
     glyphs.centresLow.clear();
     return glyphs;
   };
-  std::vector<Tracer::Probe> probes, aloneProbes;
+  std::vector<rtg::testing::Probe> probes, aloneProbes;
   for (int i = 0; i < 20; ++i)
   {
     const glm::dvec3 from(0.1, 0.0005 * i - 0.005, 0.0003 * i);
@@ -260,7 +262,7 @@ TEST_P(PositionsTest, MeshesSurviveAnotherOrigin)
 TEST_P(PositionsTest, SetsSmallerThanRoundingHaveTheirGlyphsOnly)
 {
   const glm::dvec3 far(1e7);
-  std::vector<Tracer::Probe> probes;
+  std::vector<rtg::testing::Probe> probes;
   for (int i = -20; i <= 20; ++i)
   {
     for (int k = -20; k <= 20; ++k)
@@ -276,9 +278,9 @@ TEST_P(PositionsTest, SetsSmallerThanRoundingHaveTheirGlyphsOnly)
     const auto second = scene.Add();
     scene.SetInstances(second, Glyphs(Shape::Sphere, std::vector<glm::dvec3>(count, far), far));
     scene.Commit();
-    const auto hits = this->tracer.TraceProbes(scene, probes);
+    const auto hits = rtg::testing::TraceProbes(scene, probes);
     std::size_t met = 0, others = 0;
-    for (const Tracer::ProbeHit& hit : hits)
+    for (const rtg::testing::ProbeHit& hit : hits)
     {
       met += std::isfinite(hit.t);
       others += std::isfinite(hit.t) && (hit.setId != second || hit.glyphId >= count);
@@ -292,7 +294,7 @@ TEST_P(PositionsTest, SetsSmallerThanRoundingHaveTheirGlyphsOnly)
 TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
 {
   const glm::dvec3 far(3e14, -1e14, 2e14);
-  std::vector<Tracer::Probe> probes, aloneProbes;
+  std::vector<rtg::testing::Probe> probes, aloneProbes;
   for (int i = 0; i < 20; ++i)
   {
     const glm::dvec3 from(0.1, 0.0005 * i - 0.005, 0.0003 * i);
@@ -310,7 +312,7 @@ TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
   scene.SetInstances(second, Glyphs(Shape::Sphere, { far }, far));
   scene.SetVisible(first, false);
   scene.Commit();
-  const auto hits = this->tracer.TraceProbes(scene, probes);
+  const auto hits = rtg::testing::TraceProbes(scene, probes);
   int met = 0;
   for (std::size_t i = 0; i < hits.size(); ++i)
   {

@@ -56,9 +56,7 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
   : shape_(instances.shape)
   , centre_(ToQuad(glm::dvec3(instances.centres[index])))
 {
-  const glm::vec3 size = !instances.sizes3.empty()
-    ? instances.sizes3[index]
-    : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
+  const glm::vec3 size = instances.SizeOf(index);
   const glm::vec4 q = instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
 
   // The rotation matrix of q / |q| (Shoemake 1985), columns are the unit form's axes in the world.

@@ -2,6 +2,7 @@
 // ray and a glyph, less what is removed.
 #include "CaseRays.h"
 #include "Measure.h"
+#include "Probes.h"
 #include "Sections.h"
 #include "SharedDevice.h"
 #include "SubjectName.h"
@@ -182,8 +183,7 @@ protected:
       one.motion.angularVelocities = { glm::vec3(3.0 * this->Vector()) };
       const double time = one.motion.Time(shutter);
       displacement = one.motion.Displacement(0, time);
-      const glm::dvec4 q = one.motion.Turn(0, time);
-      turn = { q.w, q.x, q.y, q.z };
+      turn = one.motion.Turn(0, time);
       const glm::dvec4 before(one.rotations.empty() ? glm::vec4(0, 0, 0, 1) : one.rotations[0]);
       const glm::dquat after = turn * glm::dquat(before.w, before.x, before.y, before.z);
       there.rotations = { glm::vec4(after.x, after.y, after.z, after.w) };
@@ -192,7 +192,7 @@ protected:
     this->scene.SetInstances(set, one);
     ReferenceGlyph reference(there, 0);
     std::vector<HardRay> aimed;
-    std::vector<Tracer::Probe> probes;
+    std::vector<rtg::testing::Probe> probes;
     std::vector<std::vector<ReferenceCrossing>> crossings;
     std::vector<HardRay> inside; // the first: of the ray that is longest inside
     Quad longest = 0;
@@ -229,7 +229,7 @@ protected:
       }
       this->scene.SetMaterial(set, CutBy(atRest));
       this->scene.Commit();
-      const auto answers = SharedTracer().TraceProbes(this->scene, probes);
+      const auto answers = rtg::testing::TraceProbes(this->scene, probes);
       for (std::size_t k = 0; k < aimed.size(); ++k)
       {
         const HardRay& ray = aimed[k];

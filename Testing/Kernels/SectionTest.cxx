@@ -2,6 +2,7 @@
 // the shapes.
 #include "BoxMesh.h"
 #include "LightFixture.h"
+#include "Probes.h"
 #include "Sections.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -123,7 +124,7 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
   // Bad cuts give a message.
   section.planes[0].normal = glm::dvec3(0.0);
   EXPECT_NE(
-    MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("normal of length 0.0"), std::string::npos);
+    MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("normal of length 0 "), std::string::npos);
   section.planes.assign(4, FrontOff(0.0).planes[0]);
   EXPECT_NE(MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("4 slabs"), std::string::npos);
 }
@@ -146,7 +147,7 @@ TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
       const glm::vec3 c = centres[i];
       const bool inside = std::abs(c.x - 0.1f) < 0.6f && std::abs(c.y) < 0.6f && std::abs(c.z) < 0.6f;
       // From next to the shell, inwards: nothing else is nearer.
-      const auto hit = this->tracer.TraceProbes(this->scene, { { c + glm::vec3(0, 0, 0.0501f), { 0, 0, -1 } } })[0];
+      const auto hit = rtg::testing::TraceProbes(this->scene, { { c + glm::vec3(0, 0, 0.0501f), { 0, 0, -1 } } })[0];
       const bool found = hit.t < 0.001f && hit.glyphId == i;
       left += found;
       EXPECT_EQ(found, inside == keepsInside) << "glyph " << i;
@@ -265,7 +266,7 @@ TEST_P(SectionTest, MovingGlyphsPassTheCutOrTakeItAlong)
     {
       this->scene.SetMaterial(set, CutBy(section));
       this->scene.Commit();
-      return 4.0 - this->tracer.TraceProbes(this->scene, { { { 0.1, 0.03, 4 }, { 0, 0, -1 }, time } })[0].t;
+      return 4.0 - rtg::testing::TraceProbes(this->scene, { { { 0.1, 0.03, 4 }, { 0, 0, -1 }, time } })[0].t;
     };
     const double top = shape == Shape::Sphere ? std::sqrt(0.25 - 0.01 - 0.0009) : 0.5;
     for (const float time : { 0.1f, 0.3f, 0.5f, 0.6f, 0.7f, 0.9f })
@@ -306,7 +307,7 @@ TEST_P(SectionTest, ClosedMeshesHaveCaps)
     for (const glm::dvec2& at : { glm::dvec2(0.1, 0.3), glm::dvec2(-0.2, 0.15) })
     {
       const auto hit =
-        this->tracer.TraceProbes(this->scene, { { { at, 4 }, { 0, 0, -1 } }, { { 0, 0, 4 }, { 0, 0, -1 } } })[0];
+        rtg::testing::TraceProbes(this->scene, { { { at, 4 }, { 0, 0, -1 } }, { { 0, 0, 4 }, { 0, 0, -1 } } })[0];
       EXPECT_NE(hit.glyphId, Image::noGlyph);
       if (source.triangles.size() == 12 && section.faces == Section::Faces::Caps)
       {
@@ -341,7 +342,7 @@ TEST_P(SectionTest, ClosedMeshesHaveCaps)
   probe(apart, FrontOff(0.1));
 }
 
-// Each point of a line's cap is that of the first piece which holds it.
+// Each point of a line's cap is that of the first piece which holds it, also where the line moves with its cut.
 TEST_P(SectionTest, LinesHaveOneCap)
 {
   const std::vector<glm::dvec3> points = { { -0.7, -0.3, 0 }, { -0.25, 0.2, 0.1 }, { 0.1, 0.1, -0.05 },
@@ -363,43 +364,54 @@ TEST_P(SectionTest, LinesHaveOneCap)
     instances.after.push_back(i < 2 ? end(i + 2) : glm::vec4(0.0f));
   }
   const auto set = this->scene.Add();
-  this->scene.SetInstances(set, instances);
-  this->scene.SetMaterial(set, CutBy(FrontOff(0.03)));
-  this->scene.Commit();
-  std::vector<Tracer::Probe> probes;
-  for (int i = 0; i < 60 * 60; ++i)
+  for (const bool moves : { false, true })
   {
-    probes.push_back({ { (i % 60 + 0.5) / 30.0 - 1.0, (i / 60 + 0.5) / 30.0 - 1.0, 3.0 }, { 0, 0, -1 } });
+    constexpr float time = 0.8f;
+    Section section = FrontOff(0.03);
+    section.moves = moves;
+    if (moves)
+    {
+      instances.motion.velocities.assign(3, { 0.0f, 0.0f, 1.0f });
+    }
+    const double lift = instances.motion.Displacement(0, instances.motion.Time(time)).z;
+    this->scene.SetInstances(set, instances);
+    this->scene.SetMaterial(set, CutBy(section));
+    this->scene.Commit();
+    std::vector<rtg::testing::Probe> probes;
+    for (int i = 0; i < 60 * 60; ++i)
+    {
+      probes.push_back({ { (i % 60 + 0.5) / 30.0 - 1.0, (i / 60 + 0.5) / 30.0 - 1.0, 3.0 }, { 0, 0, -1 }, time });
+    }
+    const auto hits = rtg::testing::TraceProbes(this->scene, probes);
+    std::size_t caps = 0, later = 0;
+    for (std::size_t k = 0; k < probes.size(); ++k)
+    {
+      const glm::dvec3 p(probes[k].origin.x, probes[k].origin.y, 0.03);
+      std::optional<std::uint32_t> first;
+      bool certain = true;
+      for (std::uint32_t i = 0; i < 3; ++i)
+      {
+        const glm::dvec3 way = points[i + 1] - points[i];
+        const double along = std::clamp(glm::dot(p - points[i], way) / glm::dot(way, way), 0.0, 1.0);
+        const double depth = radius - glm::length(p - points[i] - along * way);
+        certain = certain && std::abs(depth) > 1e-5;
+        first = !first && depth > 0.0 ? i : first;
+      }
+      if (certain && first)
+      {
+        ++caps;
+        later += *first > 0;
+        EXPECT_NEAR(hits[k].t, 2.97 - lift, 1e-6);
+        EXPECT_EQ(hits[k].glyphId, *first) << p.x << " " << p.y;
+      }
+      else if (certain)
+      {
+        EXPECT_GT(hits[k].t, 2.97001 - lift);
+      }
+    }
+    EXPECT_GT(later, 200u);
+    EXPECT_GT(caps, later + 100);
   }
-  const auto hits = this->tracer.TraceProbes(this->scene, probes);
-  std::size_t caps = 0, later = 0;
-  for (std::size_t k = 0; k < probes.size(); ++k)
-  {
-    const glm::dvec3 p(probes[k].origin.x, probes[k].origin.y, 0.03);
-    std::optional<std::uint32_t> first;
-    bool certain = true;
-    for (std::uint32_t i = 0; i < 3; ++i)
-    {
-      const glm::dvec3 way = points[i + 1] - points[i];
-      const double along = std::clamp(glm::dot(p - points[i], way) / glm::dot(way, way), 0.0, 1.0);
-      const double depth = radius - glm::length(p - points[i] - along * way);
-      certain = certain && std::abs(depth) > 1e-5;
-      first = !first && depth > 0.0 ? i : first;
-    }
-    if (certain && first)
-    {
-      ++caps;
-      later += *first > 0;
-      EXPECT_NEAR(hits[k].t, 2.97, 1e-6);
-      EXPECT_EQ(hits[k].glyphId, *first) << p.x << " " << p.y;
-    }
-    else if (certain)
-    {
-      EXPECT_GT(hits[k].t, 2.97001);
-    }
-  }
-  EXPECT_GT(later, 200u);
-  EXPECT_GT(caps, later + 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Structures, SectionTest, ::testing::Values(rtg::Structure::Tree, rtg::Structure::Boxes),

@@ -1,5 +1,6 @@
 #include "SharedDevice.h"
 
+#include "Probes.h"
 #include "Vulkan/Device.h"
 #include "Vulkan/DeviceState.h"
 
@@ -26,7 +27,11 @@ public:
       Device::Shared()->GetState().sharesMemory = false;
     }
   }
-  void TearDown() override { tracer.reset(); }
+  void TearDown() override
+  {
+    ForgetProbes();
+    tracer.reset();
+  }
 };
 
 const ::testing::Environment* const environment = ::testing::AddGlobalTestEnvironment(new SharedDevice);

@@ -1,5 +1,6 @@
 // Programs are valid for all values of their constants, and hold no more than these ask for.
 #include "HostDevice.h"
+#include "Shading/List.h"
 #include "Vulkan/Programs.h"
 #include "Vulkan/Specialize.h"
 
@@ -15,6 +16,9 @@
 namespace
 {
 
+#define RTG_COUNT(...) +1
+constexpr std::uint32_t programs = RTG_SHADINGS(RTG_COUNT);
+#undef RTG_COUNT
 constexpr std::uint32_t opSpecConstantTrue = 48, opSpecConstantOp = 52;
 
 // Instructions of specialization constants.
@@ -65,7 +69,7 @@ std::size_t Bytes(const rtg::programs::Code& code, std::initializer_list<rtg::Sh
 TEST(Specialize, LeavesWhatIsUsed)
 {
   using rtg::Shape;
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  for (std::uint32_t program = 0; program < programs; ++program)
   {
     const rtg::programs::Code& code = rtg::programs::modules[program];
     EXPECT_GT(SpecializationConstants(code.words, code.bytes / sizeof(std::uint32_t)), 0);
@@ -81,7 +85,7 @@ TEST(Specialize, LeavesWhatIsUsed)
 TEST(Specialize, AsksForRayQueriesOnlyWhereTheyAreMade)
 {
   constexpr std::uint32_t opCapability = 2u << 16 | 17u, rayQuery = 4472;
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  for (std::uint32_t program = 0; program < programs; ++program)
   {
     rtg::Constants constants = ConstantsOf({ rtg::Shape::Sphere }, 0);
     for (const std::uint32_t queries : { 0u, 1u })
@@ -98,7 +102,7 @@ TEST(Specialize, AsksForRayQueriesOnlyWhereTheyAreMade)
 
 TEST(Specialize, IsValidForMeshes)
 {
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  for (std::uint32_t program = 0; program < programs; ++program)
   {
     const rtg::programs::Code& code = rtg::programs::modules[program];
     const std::size_t plain = Bytes(code, { rtg::Shape::Mesh });

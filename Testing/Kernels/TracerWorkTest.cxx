@@ -1,4 +1,5 @@
 // What work is done for an image, and what memory is held.
+#include "Probes.h"
 #include "TracerFixture.h"
 #include "Vulkan/DeviceState.h"
 
@@ -193,7 +194,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     seen.normals = image.normals;
     seen.means = tracer.Means();
     for (const auto& hit :
-      tracer.TraceProbes(scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
+      rtg::testing::TraceProbes(scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
     {
       seen.probes.push_back(hit.t);
     }

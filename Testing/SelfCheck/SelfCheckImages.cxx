@@ -1,8 +1,8 @@
 // Images that are the same to the bit on every machine: each shape in each shading mode, still and moving.
 // Usage: SelfCheckImages FOLDER
 //
-// Each file has the pixels of one image, float and integer, as the tracer gives them, in the machine's byte order.
-// run.sh prints their SHA-256.
+// Each file has the pixels of one image: the sums' means in float before any tone mapping, display colors, depths, ids,
+// normals, albedos and view depths, in the machine's byte order. run.sh prints their SHA-256.
 #include "FormExtents.h"
 #include "HarmonicForms.h"
 #include "Scene.h"
@@ -120,10 +120,11 @@ void Write(std::ostream& out, const T* values, std::size_t count)
   out.write(reinterpret_cast<const char*>(values), std::streamsize(count * sizeof(T)));
 }
 
-void WriteImage(const rtg::Image& image, const std::string& path)
+void WriteImage(const rtg::Image& image, const std::vector<glm::vec4>& means, const std::string& path)
 {
   std::ofstream out(path, std::ios::binary);
   const std::size_t pixels = std::size_t(image.width) * image.height;
+  Write(out, means.data(), means.size());
   Write(out, image.colour, pixels);
   Write(out, image.depth, pixels);
   Write(out, image.glyphIds, pixels);
@@ -167,10 +168,11 @@ void WriteImages(const std::string& folder)
         settings.samples = sampleCount;
         settings.shading = shading;
         settings.occlusionRays = settings.paths = 2;
-        settings.features = true;
+        settings.features = settings.keepSums = true;
         const rtg::Image image =
           tracer.Trace(scene, benchmark::CrowdCamera(), { rtg::Light(), lamp }, settings, rtg::Pass::All);
-        WriteImage(image, folder + '/' + subject.name + (moves ? "-moving-" : "-still-") + mode + ".raw");
+        WriteImage(
+          image, tracer.Means(), folder + '/' + subject.name + (moves ? "-moving-" : "-still-") + mode + ".raw");
       }
     }
   }

@@ -20,7 +20,7 @@ ninja -C "$build"
 folder=$build/rtglyphs-self-check
 rm -rf "$folder"
 mkdir -p "$folder/bin" "$folder/lib/loader"
-cp "$clone/Testing/SelfCheck/run.sh" "$folder"
+cp "$clone/Testing/SelfCheck/run.sh" "$clone/Testing/SelfCheck/images.sha256" "$folder"
 git -C "$clone" describe --always --dirty >"$folder/version" 2>/dev/null || echo unknown >"$folder/version"
 # FaultTest and LackingDeviceTest need a Vulkan layer of their own.
 for program in "$build"/bin/*Test "$build"/bin/SelfCheck*; do
