@@ -173,7 +173,7 @@ TEST_F(ScreenEffectsTest, SmallGlyphsHaveFaintLines)
       covered += (1.0 - glm::unpackUnorm4x8(colour).r) / (256.0 * rows);
     }
     EXPECT_LT(covered, 0.13) << length;
-    EXPECT_GT(covered, length > 1 ? 0.05 : 0.02) << length;
+    EXPECT_GT(covered, length > 1 ? 0.04 : 0.02) << length;
   }
   this->Make(256, [](double x, double) { return Seen{ 4.0, x < 0.0 ? 0u : 1u }; });
   const std::vector<double> line = this->LineInRow();
