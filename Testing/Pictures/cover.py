@@ -110,7 +110,7 @@ def stress(data, _):
     pressure = pv.Calculator(Input=hit, ResultArrayName="pressure", Function="-(stress_XX+stress_YY+stress_ZZ)/3")
     loaded = pv.Threshold(Input=pressure, Scalars=["POINTS", "pressure"], LowerThreshold=25.0, UpperThreshold=3000.0)
     figure(loaded, "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="xx yy zz xy xz yz", GlyphScaleFunction="Cube Root", ScaleFactor=0.16,
-           bar=("pressure", 350.0, "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.2)), angle=28.0)
+           bar=("pressure", 350.0, "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.0)), angle=25.0)
 
 
 def packing(_, folder):
