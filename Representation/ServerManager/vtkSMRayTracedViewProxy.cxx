@@ -32,7 +32,7 @@ namespace
 std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*> owners; // by view, which keeps its own
 
 // The present speed is the mean of so long to twice as long: of a step's fraction, but no more seconds.
-constexpr double fractionOfSpeed = 0.25, secondsOfSpeed = 10.0;
+constexpr double fractionOfSpeed = 0.25, secondsOfSpeed = 20.0;
 
 // Of the wall clock, since some fixed time.
 double Now()
