@@ -348,8 +348,8 @@ DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
   task.settings_ = state.job.settings;
   if (task.settings_.groundNormal != glm::vec3(0.0f))
   {
-    task.missingLight_ = state.Vulkan().Guard(
-      "reading an image", [&] { return state.buffers.MissingLight(state.job.KeptSamples()); });
+    task.missingLight_ =
+      state.Vulkan().Guard("reading an image", [&] { return state.buffers.MissingLight(state.job.KeptSamples()); });
   }
   task.image_ = image;
   task.shared_ = state.shared;

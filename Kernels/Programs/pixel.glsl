@@ -62,7 +62,7 @@ struct Pixel
   DoubleWord3 colour;
   DoubleWord opacity;
   float missing; // of the light on the ground
-  bool found; // some sample hit
+  bool found;    // some sample hit
   bool centreHit;
   float depth;  // view depth of the center's sample, or else of the nearest
   float behind; // window depth of the ground, which rays do not hit

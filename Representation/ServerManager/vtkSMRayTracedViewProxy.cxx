@@ -314,7 +314,7 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   {
     this->StepStart = Now();
   }
-  // Speed changes with what else runs, and what comes before the first progress, such as a preview, tells nothing of it.
+  // What else runs changes the speed; what comes before the first progress, such as a preview, is no part of it.
   const Reached reached{ Now(), progress };
   if (progress <= this->Recent[0].Progress || step != this->Step)
   {

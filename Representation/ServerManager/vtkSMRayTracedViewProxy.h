@@ -113,7 +113,7 @@ private:
   {
     double Time = 0.0, Progress = 0.0;
   };
-  Reached Last, Recent[2]; // Recent[0]: where the present speed is measured from
+  Reached Last, Recent[2];                // Recent[0]: where the present speed is measured from
   std::map<int, double> SecondsPerSample; // by ShadingMode, of pictures of this size
   int MeasuredSize[2] = { 0, 0 };
 };
