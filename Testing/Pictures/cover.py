@@ -139,7 +139,7 @@ def streamlines(*_):
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"vessel": vessel, "fibers": fibers, "chains": chains, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails,
+PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails,
             "crossing": crossing, "streamlines": streamlines}
 
 
