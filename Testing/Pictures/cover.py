@@ -79,7 +79,7 @@ def impact(data, _):
 
 def motion(data, _):
     """The grains while the shutter is open: streaks show how fast and where to."""
-    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.3, 14.0, 5.3)), samples=32, angle=28.0, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), samples=32, angle=28.8, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
 
 
 def trails(data, _):
