@@ -365,10 +365,12 @@ double vtkSMRayTracedViewProxy::GetSecondsOfStep() const
 }
 
 //----------------------------------------------------------------------------
+// The first launches of an image are small, and slow for what they do: without a whole sample only a longer time counts.
 double vtkSMRayTracedViewProxy::GetSecondsLeft() const
 {
   const double seconds = this->Last.Time - this->Recent[0].Time, done = this->Progress - this->Recent[0].Progress;
-  return this->Progress < 1.0 && done > 0.0 && seconds > 0.5 ? seconds * (1.0 - this->Progress) / done : -1.0;
+  const bool isKnown = seconds > (this->Samples > 0 ? 0.5 : 0.5 * secondsOfSpeed);
+  return isKnown && this->Progress < 1.0 && done > 0.0 ? seconds * (1.0 - this->Progress) / done : -1.0;
 }
 
 //----------------------------------------------------------------------------
