@@ -365,7 +365,7 @@ double vtkSMRayTracedViewProxy::GetSecondsOfStep() const
 }
 
 //----------------------------------------------------------------------------
-// The first launches of an image are small, and slow for what they do: without a whole sample only a longer time counts.
+// An image's first launches are small, and slow for what they do: before a sample is whole only a longer time counts.
 double vtkSMRayTracedViewProxy::GetSecondsLeft() const
 {
   const double seconds = this->Last.Time - this->Recent[0].Time, done = this->Progress - this->Recent[0].Progress;

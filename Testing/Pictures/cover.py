@@ -84,7 +84,7 @@ def motion(data, _):
 
 def trails(data, _):
     """Grains that the ball has thrown up, and where they were in the steps before."""
-    grains(data, 1.2, ((9.0, -38.0, 14.0), (14.3, 14.0, 6.9)), angle=31.0, TrailSteps=4, PointIdArray="id")
+    grains(data, 1.2, ((9.0, -38.0, 14.0), (14.3, 14.0, 7.6)), angle=32.0, TrailSteps=4, PointIdArray="id")
 
 
 def fibers(_, folder):
@@ -135,7 +135,7 @@ def streamlines(*_):
     flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
     lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
-    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
+    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.02)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
 
 
 #: the first four are those of the README and of demo.sh
