@@ -128,7 +128,8 @@ struct PixelSums
   vec3 colourLow; // what rounding has left of it
   float opacity;  // likewise
   float opacityLow;
-  float depth; // view depth of the nearest sample that hit; of the center's, negated, if that hit
+  float missing; // of the light on the ground, where it is visible: not in the opacity
+  float depth;   // view depth of the nearest sample that hit; of the center's, negated, if that hit
 };
 
 // Sums of what the samples' camera rays hit, for denoising and scripts.

@@ -148,4 +148,17 @@ std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples) const
   return means;
 }
 
+std::vector<float> ImageBuffers::MissingLight(std::uint32_t samples) const
+{
+  std::vector<float> missing(this->pixels_);
+  this->sums_.Read(this->pixels_ * sizeof(device::PixelSums),
+    [&](const void* read)
+    {
+      const auto* sums = static_cast<const device::PixelSums*>(read);
+      std::transform(sums, sums + this->pixels_, missing.begin(),
+        [samples](const device::PixelSums& sum) { return sum.missing / static_cast<float>(samples); });
+    });
+  return missing;
+}
+
 } // namespace rtg

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 namespace rtg
 {
@@ -19,6 +20,8 @@ namespace
 constexpr double creaseAngle = 40.0, flatness = 0.25;
 // By how many pixels a depth must be off what its neighbors on either side lead to, to be a step.
 constexpr double leastStep = 2.0;
+// Of a glyph's visible diameter: its lines cover at most an eighth of it.
+constexpr float widestLine = 1.0f / 16.0f;
 
 // The image's pixels as places in space, from their centers' depths.
 class Surface
@@ -123,57 +126,108 @@ private:
   double pixelAtOne_; ///< width of a pixel at view depth 1
 };
 
-void DrawLines(const ScreenEffects& effects, const Image& image, const Surface& surface, EffectImage& result)
+// What is visible of a glyph: its pixels, and how many of their sides have a line.
+struct Visible
 {
-  const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-  // Middles of the pixels' common sides where there is a line.
-  std::vector<std::uint8_t> right(result.colours.size()), above(result.colours.size());
+  std::size_t pixels = 0, sides = 0;
+
+  // Four times the area over the circumference, which is a disc's diameter (the hydraulic diameter).
+  float Diameter() const { return 4.0f * this->pixels / this->sides; }
+};
+
+// Widths of the lines in the middles of pixels' sides; 0: there is none.
+struct Lines
+{
+  std::vector<float> right, above;
+};
+
+Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface& surface)
+{
+  const std::size_t width = image.width, pixels = width * image.height;
+  Lines lines{ std::vector<float>(pixels), std::vector<float>(pixels) };
   ParallelFor(image.height,
     [&](std::size_t row)
     {
       const int y = static_cast<int>(row);
-      for (int x = 0; x < width; ++x)
+      for (int x = 0; x < static_cast<int>(width); ++x)
       {
-        const std::size_t at = row * image.width + x;
-        right[at] = x + 1 < width && surface.HasBorder(x, y, 1, 0);
-        above[at] = y + 1 < height && surface.HasBorder(x, y, 0, 1);
+        lines.right[row * width + x] = x + 1 < static_cast<int>(width) && surface.HasBorder(x, y, 1, 0);
+        lines.above[row * width + x] = row + 1 < image.height && surface.HasBorder(x, y, 0, 1);
       }
     });
 
-  const float half = 0.5f * effects.outlineWidth;
-  const int reach = static_cast<int>(std::ceil(half + 0.5f));
+  std::unordered_map<std::uint64_t, Visible> glyphs;
+  std::vector<Visible*> at(pixels, nullptr);
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    if (image.glyphIds[i] != Image::noGlyph)
+    {
+      const bool again = i > 0 && image.glyphIds[i] == image.glyphIds[i - 1] && image.setIds[i] == image.setIds[i - 1];
+      at[i] = again ? at[i - 1] : &glyphs[std::uint64_t(image.setIds[i]) << 32u | image.glyphIds[i]];
+      ++at[i]->pixels;
+    }
+  }
+  const auto forEach = [&](const auto& take)
+  {
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      if (lines.right[i] > 0.0f)
+      {
+        take(lines.right[i], i, i + 1);
+      }
+      if (lines.above[i] > 0.0f)
+      {
+        take(lines.above[i], i, i + width);
+      }
+    }
+  };
+  Visible nothing;
+  forEach(
+    [&](float, std::size_t i, std::size_t other)
+    {
+      ++(at[i] ? at[i] : &nothing)->sides;
+      ++(at[other] ? at[other] : &nothing)->sides;
+    });
+  forEach(
+    [&](float& line, std::size_t i, std::size_t other)
+    {
+      const bool isOther = !at[i] || (at[other] && image.depth[other] < image.depth[i]);
+      line = std::min(effects.outlineWidth, widestLine * at[isOther ? other : i]->Diameter());
+    });
+  return lines;
+}
+
+void DrawLines(const ScreenEffects& effects, const Image& image, const Surface& surface, EffectImage& result)
+{
+  const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+  const Lines lines = FindLines(effects, image, surface);
+  const int reach = static_cast<int>(std::ceil(0.5f * effects.outlineWidth + 0.5f));
   ParallelFor(image.height,
     [&](std::size_t row)
     {
       const int y = static_cast<int>(row);
       for (int x = 0; x < width; ++x)
       {
-        float nearest = half + 0.5f, depth = 1.0f;
+        float deepest = 0.0f, cover = 0.0f, depth = 1.0f; // in a line
         for (int fromY = std::max(y - reach, 0); fromY <= std::min(y + reach, height - 1); ++fromY)
         {
           for (int fromX = std::max(x - reach, 0); fromX <= std::min(x + reach, width - 1); ++fromX)
           {
             const std::size_t from = std::size_t(fromY) * image.width + fromX;
-            const auto take = [&](float middleX, float middleY, std::size_t other)
+            const auto take = [&](float line, float middleX, float middleY, std::size_t other)
             {
-              const float distance = std::hypot(middleX - x, middleY - y);
-              if (distance < nearest)
+              const float within = line > 0.0f ? 0.5f * line + 0.5f - std::hypot(middleX - x, middleY - y) : 0.0f;
+              if (within > deepest)
               {
-                nearest = distance;
+                deepest = within;
+                cover = std::min({ within, line, 1.0f });
                 depth = std::min(image.depth[from], image.depth[other]);
               }
             };
-            if (right[from])
-            {
-              take(fromX + 0.5f, fromY, from + 1);
-            }
-            if (above[from])
-            {
-              take(fromX, fromY + 0.5f, from + image.width);
-            }
+            take(lines.right[from], fromX + 0.5f, fromY, from + 1);
+            take(lines.above[from], fromX, fromY + 0.5f, from + image.width);
           }
         }
-        const float cover = std::clamp(half + 0.5f - nearest, 0.0f, std::min(1.0f, effects.outlineWidth));
         if (cover > 0.0f)
         {
           const std::size_t at = row * image.width + x;

@@ -24,6 +24,7 @@ struct ScreenEffects
 /// The colors and window depths of an image with these effects. Lines run along borders between glyphs, or between a
 /// glyph and what is behind it, along steps of the depth within a glyph, and along creases of more than 40 degrees.
 /// They are as wide in every image, half of it on either side of the border, and lie at the depth of what is in front.
+/// Around what is so small that they would cover more than an eighth of it they are thinner.
 struct EffectImage
 {
   std::vector<std::uint32_t> colours; ///< as Image::colour

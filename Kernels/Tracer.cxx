@@ -343,9 +343,15 @@ DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
   {
     throw Error("Ray Traced Glyphs: denoising needs an image that was traced with features.");
   }
+  const State& state = *this->state_;
+  task.settings_ = state.job.settings;
+  if (task.settings_.groundNormal != glm::vec3(0.0f))
+  {
+    task.missingLight_ =
+      state.Vulkan().Guard("reading an image", [&] { return state.buffers.MissingLight(state.job.KeptSamples()); });
+  }
   task.image_ = image;
-  task.settings_ = this->state_->job.settings;
-  task.shared_ = this->state_->shared;
+  task.shared_ = state.shared;
   task.stop_ = std::move(stop);
   return task;
 }

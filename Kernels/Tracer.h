@@ -149,6 +149,7 @@ public:
 private:
   friend class Tracer;
   std::vector<glm::vec4> means_;
+  std::vector<float> missingLight_; ///< on the ground; empty: there is none
   Image image_;
   TraceSettings settings_;
   std::shared_ptr<TracerResources> shared_;

@@ -264,7 +264,7 @@ void main()
     {
       if (onGround)
       {
-        weight = layers.transmittance * MissingShare(missing, all);
+        pixel.missing += layers.transmittance * MissingShare(missing, all);
         onGround = false;
       }
       AddToPixel(pixel, weight * colour, weight);

@@ -370,7 +370,7 @@ void main()
     {
       if (onGround)
       {
-        AddToPixel(pixel, vec3(0.0), MissingShare(missing / float(frame.raysPerSample), all));
+        pixel.missing += MissingShare(missing / float(frame.raysPerSample), all);
         onGround = false;
       }
       else

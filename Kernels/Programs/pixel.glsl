@@ -61,7 +61,8 @@ struct Pixel
   // million samples, all to the same side.
   DoubleWord3 colour;
   DoubleWord opacity;
-  bool found; // some sample hit
+  float missing; // of the light on the ground
+  bool found;    // some sample hit
   bool centreHit;
   float depth;  // view depth of the center's sample, or else of the nearest
   float behind; // window depth of the ground, which rays do not hit
@@ -74,6 +75,7 @@ Pixel BeginPixel(const uvec2 position)
   Pixel pixel;
   pixel.colour = Word3(vec3(0.0));
   pixel.opacity = Word(0.0);
+  pixel.missing = 0.0;
   pixel.found = false;
   pixel.centreHit = false;
   pixel.depth = 1e38;
@@ -86,6 +88,7 @@ Pixel BeginPixel(const uvec2 position)
     uint at = frame.accumulates != 0u ? position.y * frame.width + position.x : 0u;
     pixel.colour = DoubleWord3(frame.sums.at[at].colour, frame.sums.at[at].colourLow);
     pixel.opacity = DoubleWord(frame.sums.at[at].opacity, frame.sums.at[at].opacityLow);
+    pixel.missing = ground ? frame.sums.at[at].missing : 0.0;
     float depth = frame.sums.at[at].depth;
     pixel.found = depth < 1e38;
     pixel.centreHit = floatBitsToUint(depth) >> 31u != 0u;
@@ -142,19 +145,23 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
     frame.sums.at[at].colourLow = pixel.colour.lo;
     frame.sums.at[at].opacity = pixel.opacity.hi;
     frame.sums.at[at].opacityLow = pixel.opacity.lo;
+    frame.sums.at[at].missing = pixel.missing;
     frame.sums.at[at].depth = pixel.centreHit ? -pixel.depth : pixel.depth;
   }
 
-  uint packedColour = 0u;
+  vec4 shown = vec4(0.0);
+  float samples = float(frame.firstSample + frame.samples);
   if (pixel.opacity.hi > 0.0)
   {
-    float samples = float(frame.firstSample + frame.samples);
     vec3 mean = pixel.colour.hi / pixel.opacity.hi;
-    vec3 shown =
-      linear || frame.mapsTones != 0u ? ToneMap(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
-    packedColour = packUnorm4x8(vec4(shown, pixel.opacity.hi / samples));
+    shown.rgb = linear || frame.mapsTones != 0u ? ToneMap(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
+    shown.a = pixel.opacity.hi / samples;
   }
-  float windowDepth = pixel.opacity.hi > 0.0 ? pixel.behind : 1.0;
+  if (ground)
+  {
+    shown = OverShadow(shown, pixel.missing / samples, linear);
+  }
+  float windowDepth = shown.a > 0.0 ? pixel.behind : 1.0;
   uint setId = 0xffffffffu;
   if (pixel.found)
   {
@@ -166,7 +173,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   }
   // Earlier samples may have written already what is there.
   bool fresh = frame.firstSample == 0u || pixel.record != 0xffffffffu;
-  frame.colour.at[at] = packedColour;
+  frame.colour.at[at] = packUnorm4x8(shown);
   if (fresh)
   {
     frame.depth.at[at] = windowDepth;

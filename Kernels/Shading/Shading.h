@@ -22,6 +22,7 @@ using glm::reflect;
 using glm::uvec2;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 using std::abs;
 using std::cos;
 using std::floor;

@@ -56,4 +56,14 @@ RTG_SHADING_FN vec3 ToneMap(vec3 mean, bool linear, float exposureFactor, uint t
   return LinearToDisplay(clamp(light, vec3(0.0f), vec3(1.0f)));
 }
 
+// A pixel in front of a surface whose light, a fraction of all light in the pixel, is `missing`: what the surface shows
+// is darkened by a black layer. Over white it is the display color of the light that is left.
+RTG_SHADING_FN vec4 OverShadow(vec4 shown, float missing, bool linear)
+{
+  float rest = 1.0f - shown.w;
+  float fraction = clamp(missing / max(rest, 1e-30f), 0.0f, 1.0f);
+  float opacity = shown.w + rest * (linear ? 1.0f - LinearToDisplay(vec3(1.0f - fraction)).x : fraction);
+  return vec4(vec3(shown) * (shown.w / max(opacity, 1e-30f)), opacity);
+}
+
 #endif

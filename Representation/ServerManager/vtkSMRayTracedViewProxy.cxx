@@ -32,6 +32,9 @@ namespace
 {
 std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*> owners; // by view, which keeps its own
 
+// The present speed is the mean of so long to twice as long: of a step's fraction, but no more seconds.
+constexpr double fractionOfSpeed = 0.25, secondsOfSpeed = 20.0;
+
 // Of the wall clock, since some fixed time.
 double Now()
 {
@@ -311,8 +314,20 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   if (step != this->Step || progress < this->Progress)
   {
     this->StepStart = Now();
-    this->StepProgress = progress;
   }
+  // What else runs changes the speed; what comes before the first progress, such as a preview, is no part of it.
+  const Reached reached{ Now(), progress };
+  if (progress <= this->Recent[0].Progress || step != this->Step)
+  {
+    this->Recent[0] = this->Recent[1] = reached;
+  }
+  else if (reached.Time - this->Recent[1].Time >
+    std::min(secondsOfSpeed, fractionOfSpeed * (reached.Time - this->StepStart)))
+  {
+    this->Recent[0] = this->Recent[1];
+    this->Recent[1] = reached;
+  }
+  this->Last = reached;
   this->Progress = progress;
   this->Step = step;
   int size[2] = { 0, 0 };
@@ -324,6 +339,7 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   }
   if (this->GetSecondsLeft() >= 0.0)
   {
+    all["RefinementSecondsLeft"] = this->GetSecondsLeft();
     const int wanted = vtkSMPropertyHelper(this, "SamplesPerPixel").GetAsInt();
     this->SecondsPerSample[vtkSMPropertyHelper(this, "ShadingMode").GetAsInt()] =
       this->GetSecondsLeft() / ((1.0 - progress) * wanted);
@@ -355,13 +371,12 @@ double vtkSMRayTracedViewProxy::GetSecondsOfStep() const
 }
 
 //----------------------------------------------------------------------------
-// The first half of a second may be that of a preview.
+// An image's first launches are small, and slow for what they do: before a sample is whole only a longer time counts.
 double vtkSMRayTracedViewProxy::GetSecondsLeft() const
 {
-  const double done = this->Progress - this->StepProgress;
-  return this->Progress < 1.0 && done > 0.0 && this->GetSecondsOfStep() > 0.5
-    ? this->GetSecondsOfStep() * (1.0 - this->Progress) / done
-    : -1.0;
+  const double seconds = this->Last.Time - this->Recent[0].Time, done = this->Progress - this->Recent[0].Progress;
+  const bool isKnown = seconds > (this->Samples > 0 ? 0.5 : 0.5 * secondsOfSpeed);
+  return isKnown && this->Progress < 1.0 && done > 0.0 ? seconds * (1.0 - this->Progress) / done : -1.0;
 }
 
 //----------------------------------------------------------------------------

@@ -108,8 +108,12 @@ private:
   double Progress = 1.0;
   std::string Step;
   int Samples = 0;
-  // When the present step was begun, the image's progress then, and what was measured.
-  double StepStart = 0.0, StepProgress = 0.0;
+  double StepStart = 0.0;
+  struct Reached
+  {
+    double Time = 0.0, Progress = 0.0;
+  };
+  Reached Last, Recent[2];                // Recent[0]: where the present speed is measured from
   std::map<int, double> SecondsPerSample; // by ShadingMode, of pictures of this size
   int MeasuredSize[2] = { 0, 0 };
 };

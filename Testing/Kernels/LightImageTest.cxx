@@ -6,6 +6,8 @@
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 using namespace light;
 
@@ -141,6 +143,41 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
 }
 
 // One pixel that is no number leaves the others theirs.
+// A sphere over the ground, whose shadow is opacity.
+TEST_F(LightTest, DenoisingSmoothsShadowsOnTheGround)
+{
+  this->camera = LookFrom({ 0, -5, 4 }, { 0, 0, 0.3 }, 1.5);
+  this->Add(Shape::Sphere, { { 0, 0, 0.5 } }, { glm::vec3(1.0f) }, White());
+  this->settings.groundNormal = { 0, 0, 1 };
+  this->settings.groundHeight = 0.0;
+  this->settings.width = this->settings.height = 48;
+  this->settings.features = true;
+  this->settings.independentSamples = false;
+  const auto opacities = [](const std::uint32_t* colours)
+  {
+    std::vector<double> found(48 * 48);
+    std::transform(colours, colours + found.size(), found.begin(), [](std::uint32_t c) { return (c >> 24) / 255.0; });
+    return found;
+  };
+  for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
+  {
+    this->settings.shading = shading;
+    this->settings.samples = 512;
+    const std::vector<double> truth = opacities(this->Trace().colour);
+    const auto error = [&](const std::vector<double>& found)
+    {
+      return std::inner_product(truth.begin(), truth.end(), found.begin(), 0.0, std::plus<>(),
+        [](double a, double b) { return (a - b) * (a - b); });
+    };
+    this->settings.samples = 4;
+    const Image image = this->Trace();
+    const double noisy = error(opacities(image.colour));
+    const double smooth = error(opacities(this->tracer.Denoise(image)().data()));
+    std::printf("squared error of the opacity: 4 samples %.2e, denoised %.2e\n", noisy, smooth);
+    EXPECT_LT(smooth, 0.5 * noisy);
+  }
+}
+
 TEST(Denoising, SpreadsNoNaN)
 {
   constexpr std::size_t pixels = 40 * 40;

@@ -153,6 +153,33 @@ TEST_F(ScreenEffectsTest, LinesWithinAGlyph)
   EXPECT_EQ(lineAt([](double x, double) { return Seen{ 4.0 + 0.17 * std::abs(x), 0 }; }), 0.0);
 }
 
+// Lines cover at most an eighth of a lattice of squares, however small they are, and have the whole width around large
+// ones.
+TEST_F(ScreenEffectsTest, SmallGlyphsHaveFaintLines)
+{
+  this->effects.outlineWidth = 1.5f;
+  for (const std::uint32_t length : { 32u, 16u, 8u, 4u, 2u, 1u })
+  {
+    this->Make(256,
+      [length](double x, double y)
+      {
+        const auto column = static_cast<std::uint32_t>(128.0 * (x + 1.0)) / length;
+        const auto row = static_cast<std::uint32_t>(128.0 * y + 16.0) / length;
+        return Seen{ (column + row) % 2 == 0 ? 4.0 : 4.5, 256 * row + column };
+      });
+    double covered = 0.0;
+    for (const std::uint32_t colour : this->Apply().colours)
+    {
+      covered += (1.0 - glm::unpackUnorm4x8(colour).r) / (256.0 * rows);
+    }
+    EXPECT_LT(covered, 0.13) << length;
+    EXPECT_GT(covered, length > 1 ? 0.04 : 0.02) << length;
+  }
+  this->Make(256, [](double x, double) { return Seen{ 4.0, x < 0.0 ? 0u : 1u }; });
+  const std::vector<double> line = this->LineInRow();
+  EXPECT_NEAR(std::accumulate(line.begin(), line.end(), 0.0), 1.5, 0.01);
+}
+
 // A line over nothing has the depth of what it belongs to, and what has none stays as it was.
 TEST_F(ScreenEffectsTest, LinesHaveDepth)
 {

@@ -3,6 +3,7 @@
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython cover.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT [NAME...]]      (default: 1600 1000 and the first four)
 What DATA-FOLDER lacks is made in the output folder by the scripts there.
 """
+import math
 import os
 import subprocess
 import sys
@@ -36,8 +37,9 @@ def at(time, *path):
     return source
 
 
-def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0, bar=None, **properties):
-    """raytracedglyphs.Figure() with few samples, whose noise is smoothed. camera: position, focal point. bar: array, largest value, title, colors, place."""
+def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0, lens=0.0, bar=None, **properties):
+    """raytracedglyphs.Figure() with few samples, whose noise is smoothed. camera: position, focal point. lens: its diameter; it is focused on the
+    focal point. bar: array, largest value, title, colors, place."""
     shown = raytracedglyphs.Figure(source, kind, size=SIZE, colors=bar[0] if bar else "", SamplesPerPixel=samples, Denoising="Always", **properties)
     view = pv.GetActiveView()
     if bar:
@@ -47,7 +49,8 @@ def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0
         table.RGBPoints = [value * (bar[1] if i % 4 == 0 else 1.0) for i, value in enumerate(bar[3])]
     if camera:
         simulation.look(view, *camera, up)
-        view.CameraViewAngle = angle
+        view.CameraViewAngle, view.CameraFocalDisk = angle, lens
+        view.CameraFocalDistance = math.dist(*camera)
     return shown
 
 
@@ -55,10 +58,11 @@ def vessel(data, folder):
     """Arrows of particles that are blown into a chamber, path traced."""
     folder = made("injection.py", os.path.join(folder, "injection"), "36", "5000")
     series = at(-1, folder, "injection.vtk.series")
-    figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4)
+    figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4,
+           Section="Plane", SectionOrigin=[0.0, 0.0, -0.5], SectionNormal=[0.0, 0.0, -1.0])  # lets light in from above
     figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", 5.0, "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
            SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
-           camera=((1.5, 6.6, -2.6), (1.8, 0.0, 0.13)), up=(0.0, 0.0, -1.0), angle=21.0,
+           camera=((1.2, 5.6, -3.4), (1.62, 0.0, 0.11)), up=(0.0, 0.0, -1.0), angle=21.5,
            **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
 
 
@@ -70,17 +74,17 @@ def grains(data, time, camera, **properties):
 
 def impact(data, _):
     """The grains at one moment."""
-    grains(data, 0.8, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)))
+    grains(data, 0.8, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)), angle=26.0)
 
 
 def motion(data, _):
     """The grains while the shutter is open: streaks show how fast and where to."""
-    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.3, 14.0, 5.5)), samples=32, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), samples=32, angle=28.8, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
 
 
 def trails(data, _):
     """Grains that the ball has thrown up, and where they were in the steps before."""
-    grains(data, 1.5, ((9.0, -36.0, 24.0), (14.3, 14.0, 9.5)), angle=36.0, TrailSteps=4, PointIdArray="id")
+    grains(data, 1.2, ((9.0, -38.0, 14.0), (14.3, 14.0, 7.6)), angle=32.0, TrailSteps=4, PointIdArray="id")
 
 
 def fibers(_, folder):
@@ -88,23 +92,34 @@ def fibers(_, folder):
     inside = pv.Threshold(Input=pv.OpenDataFile(made("helix.py", os.path.join(folder, "helix.vtk"), "40")),
                           Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
     figure(inside, "Tensor Superquadric", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz", GlyphDirectionColoring="Axes", ScaleFactor=0.055,
-           GroundShadow="Below", camera=((2.2, -3.6, -0.6), (0.0, 0.0, 0.0)), up=(1.0, 0.0, 0.0), angle=28.0)
+           GroundShadow="Below", camera=((1.9, -3.6, -0.9), (-0.02, 0.0, 0.03)), up=(1.0, 0.0, 0.0), angle=26.5)
 
 
 def chains(data, folder):
-    """Chains of forces between the grains that a ball has just hit."""
+    """Chains of forces between the grains that a ball has just hit, through a lens that is focused on it."""
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
-    thick = pv.Calculator(Input=pv.OpenDataFile(file), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.006, GroundShadow="Below",
-           camera=((10.0, -26.0, 14.0), (13.8, 12.0, 3.0)), angle=27.0)
+    strong = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["CELLS", "force"], LowerThreshold=40.0, UpperThreshold=1e9)
+    thick = pv.Calculator(Input=strong, AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
+    figure(thick, "Tubes", samples=48, SecondaryRays=4, bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
+           GroundShadow="Below", camera=((8.6, -15.2, 13.0), (14.2, 13.5, 2.2)), angle=25.0, lens=1.0)
+
+
+def stress(data, _):
+    """Stress of the grains that bear most of the ball: how large by size and color, of which kind by shape."""
+    hit = pv.OpenDataFile(os.path.join(data, "impact", "impact_02.vtk"))
+    pressure = pv.Calculator(Input=hit, ResultArrayName="pressure", Function="-(stress_XX+stress_YY+stress_ZZ)/3")
+    loaded = pv.Threshold(Input=pressure, Scalars=["POINTS", "pressure"], LowerThreshold=25.0, UpperThreshold=3000.0)
+    figure(loaded, "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="xx yy zz xy xz yz", GlyphScaleFunction="Cube Root", ScaleFactor=0.16,
+           bar=("pressure", 350.0, "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.0)), angle=25.0)
 
 
 def packing(_, folder):
-    """Superquadrics that do not touch, cut open by a plane: the cut faces are exact, too."""
+    """Superquadrics that do not touch, cut open by a plane: the cut faces are exact, too. Lines are drawn around what is large enough for them."""
     figure(pv.OpenDataFile(made("packing.py", os.path.join(folder, "packing.vtk"))), "Superquadric", GlyphExponentArray="exponents", SelectScaleArray="lengths",
            ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion",
            DiffuseColor=[0.42, 0.60, 0.78], Section="Plane", SectionOrigin=[0.5, 0.42, 0.5], SectionNormal=[0.25, -1.0, 0.35],
-           SectionCaps="Colored Caps", SectionCapColor=[1.0, 0.72, 0.30], OutlineWidth=1.5, GroundShadow="Below", camera=((1.6, -1.9, 1.45), (0.52, 0.5, 0.46)))
+           SectionCaps="Colored Caps", SectionCapColor=[1.0, 0.72, 0.30], OutlineWidth=1.5, OutlineColor=[0.15, 0.2, 0.28],
+           camera=((1.1, -1.3, 1.25), (0.5, 0.46, 0.49)), angle=32.0)
 
 
 def crossing(_, folder):
@@ -112,7 +127,7 @@ def crossing(_, folder):
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
     share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="shares_X+shares_Y")
     figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.15,
-           GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((18.0, -6.0, 14.0), (10.3, 10.0, 1.5)), angle=28.0)
+           GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((20.0, -14.0, 20.0), (9.6, 9.3, 1.5)), angle=30.0)
 
 
 def streamlines(*_):
@@ -120,11 +135,11 @@ def streamlines(*_):
     flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
     lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
-    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.86)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, 0.0)), angle=33.0)
+    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.02)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"vessel": vessel, "fibers": fibers, "chains": chains, "motion": motion, "packing": packing, "impact": impact, "trails": trails,
+PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails,
             "crossing": crossing, "streamlines": streamlines}
 
 

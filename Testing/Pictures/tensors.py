@@ -1,4 +1,4 @@
-"""Tensor fields and vectors: stress of the simulation, a flow, uncertainty, magnitudes over many powers of ten.
+"""Tensor fields and vectors: a flow, uncertainty, magnitudes over many powers of ten.
 
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython tensors.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT]
 With RTGLYPHS_SHARED_DATA, a folder, also pictures of tensors.vtk and dt-helix.nhdr in it (../Kernels/TensorTest.cxx names their sources).
@@ -25,26 +25,6 @@ def arrays_of(reader):
 def norms(six):
     """Frobenius norms of tensors whose last three components are those off the diagonal."""
     return numpy.sqrt((six[:, :3] ** 2).sum(axis=1) + 2.0 * (six[:, 3:] ** 2).sum(axis=1))
-
-
-def logarithmic(six, share):
-    """Scales that make glyphs as large as log10(1 + |s| / s0), s0 being the quantile `share` of |s|; the largest glyph has size 1."""
-    norm = numpy.maximum(norms(six), 1e-300)
-    size = numpy.log10(1.0 + norm / numpy.quantile(norm, share))
-    return size / size.max() / norm
-
-
-def grain_stress(view, data, _):
-    """Stress of the grains as the ball hits them, of the loaded ones."""
-    reader = pv.OpenDataFile(os.path.join(data, "impact", "impact_01.vtk"))
-    points, arrays = arrays_of(reader)
-    stress = arrays["stress"]
-    norm = norms(stress)
-    loaded = norm > numpy.quantile(norm, 0.6)
-    show(source(points[loaded], stress=stress[loaded], log_size=logarithmic(stress[loaded], 0.3)), view,
-         "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="xx yy zz xy xz yz", GlyphTensorColoring="Sign",
-         SelectScaleArray="log_size", ScaleMode="Magnitude", ScaleFactor=2.0)
-    look(view, (10.0, -24.0, 22.0), (14.3, 13.0, 1.5), (0.0, 0.0, 1.0))
 
 
 def fibres(view, points, tensors, share, layout, spacing):
@@ -84,10 +64,10 @@ def split_vectors(view, _, __):
         d = numpy.linalg.norm(r, axis=1)[:, None]
         field = field + 3.0 * r * (r @ m)[:, None] / d ** 5 - m / d ** 3
     power = numpy.floor(numpy.log10(numpy.linalg.norm(field, axis=1)))
-    shown = show(source(points, field=field, power=power), view, "Split Vector", SelectOrientationVectors="field", ScaleFactor=0.4, GlyphLegend="Lower Right",
+    shown = show(source(points, field=field, power=power), view, "Split Vector", SelectOrientationVectors="field", ScaleFactor=0.55, RenderingQuality="Balanced", GlyphLegend="Lower Right",
                  GlyphLegendColor=[0.0, 0.0, 0.0], **{"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.035, "GlyphType.TipRadius": 0.09})
-    colored_by(shown, "power", power.min(), power.max())
-    look(view, (0.0, -2.6, 9.3), (0.0, -0.12, 0.0), (0.0, 1.0, 0.0))
+    colored_by(shown, "power", power.min() - 1.0, power.max())  # without Viridis' darkest
+    look(view, (0.0, -2.6, 8.6), (0.0, -0.12, 0.0), (0.0, 1.0, 0.0))
 
 
 def uncertain_vectors(view, _, __):
@@ -145,7 +125,7 @@ def main():
     data, folder = begin()
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
-    pictures = {"flow": flow, "grain_stress": grain_stress, "split_vectors": split_vectors,
+    pictures = {"flow": flow, "split_vectors": split_vectors,
                 "uncertain_vectors": uncertain_vectors, "confidence_ellipsoids": confidence_ellipsoids}
     shared = os.environ.get("RTGLYPHS_SHARED_DATA", "")
     for name, file in (("tensors-vtk", "tensors.vtk"), ("dt-helix", "dt-helix.nhdr")):

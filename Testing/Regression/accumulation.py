@@ -2,6 +2,8 @@
 
 Usage: pvpython accumulation.py
 """
+import time
+
 import numpy
 import paraview.simple as pv
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
@@ -65,10 +67,30 @@ def grow(mode):
     return failures
 
 
+def left():
+    """The time that is left follows the present speed: each of the first samples takes half a second, which tells nothing of those to come."""
+    import raytracedglyphs
+    view = session.view(160, 120)
+    points = session.source(session.poly_data(numpy.zeros((1, 3))))
+    session.glyphs(points, view, Orient=0, ScaleFactor=1.0, ShadingMode="Local", samples=1000)
+    raytracedglyphs.SetSamplesPerRender(1, view)
+    session.look(view, (0.0, 0.0, 6.0))
+    times = []
+    for i in range(50):
+        time.sleep(0.5 if i < 4 else 0.05)
+        pv.Render(view)
+        times.append(time.time())
+    wanted = (times[-1] - times[-11]) / 10.0 * (1000 - len(times))
+    found = raytracedglyphs.Statistics(view).get("RefinementSecondsLeft", -1.0)
+    print("seconds left: %.1f, at the speed of the last ten samples %.1f, of all %.1f" % (found, wanted, (times[-1] - times[0]) / 49.0 * (1000 - len(times))))
+    pv.Delete(view)
+    return [] if 0.7 * wanted <= found <= 1.3 * wanted else ["%.1f seconds are left instead of %.1f" % (found, wanted)]
+
+
 def main():
-    """Both modes that have noise."""
+    """Both modes that have noise, and the time that is left."""
     session.load()
-    session.finish(grow("Ambient Occlusion") + grow("Path Tracing"))
+    session.finish(grow("Ambient Occlusion") + grow("Path Tracing") + left())
 
 
 if __name__ == "__main__":

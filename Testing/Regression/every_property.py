@@ -430,8 +430,8 @@ ROWS = [
     Row("ToneMapping", "Filmic", light_of_ball(lambda cosine: [filmic(GRAY)] * 3)),
     Row("Exposure", -1.0, developed(lambda light: 0.5 * light)),
     Row("Exposure", -1.0, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
-    Row("OutlineWidth", 4.0, outlined(BLACK, 4.0), **UNLIT),
-    Row("OutlineColor", GREEN, outlined(GREEN, 4.0), OutlineWidth=4.0, **{**UNLIT, "DiffuseColor": RED, "AmbientColor": RED}),
+    Row("OutlineWidth", 3.0, outlined(BLACK, 3.0), **UNLIT),
+    Row("OutlineColor", GREEN, outlined(GREEN, 3.0), OutlineWidth=3.0, **{**UNLIT, "DiffuseColor": RED, "AmbientColor": RED}),
     Row("DepthCue", 0.5, faded, **UNLIT),
     # The image
     Row("SamplesPerPixel", 3, reads("AccumulatedSamples", 3)),
