@@ -28,7 +28,7 @@ bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
 bool IsVector(vtkSMProxy* display)
 {
   const int shape = vtkSMPropertyHelper(display, "GlyphShape").GetAsInt();
-  return shape == rtglyphs::GlyphShapes::SPLIT_VECTOR || shape == rtglyphs::GlyphShapes::UNCERTAIN_VECTOR;
+  return shape == rtglyphs::GlyphShapes::SPLIT_VECTOR || rtglyphs::GlyphShapes::IsUncertain(shape);
 }
 }
 
