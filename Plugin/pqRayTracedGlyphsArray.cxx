@@ -37,7 +37,7 @@ vtkSMStringListDomain* ArraysOf(vtkSMProxy* display, vtkSMProperty* property, bo
 bool IsVector(vtkSMProxy* display)
 {
   const int shape = vtkSMPropertyHelper(display, "GlyphShape").GetAsInt();
-  return shape == rtglyphs::GlyphShapes::SPLIT_VECTOR || shape == rtglyphs::GlyphShapes::UNCERTAIN_VECTOR;
+  return shape == rtglyphs::GlyphShapes::SPLIT_VECTOR || rtglyphs::GlyphShapes::IsUncertain(shape);
 }
 }
 

@@ -21,15 +21,15 @@ numpy.savetxt("bubbles.csv", numpy.column_stack([positions, means, deviations]),
 # --- recipe
 table = CSVReader(FileName=["bubbles.csv"])
 bubbles = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
+lower = Calculator(Input=bubbles, ResultArrayName="radius", Function="mean-2*deviation")
+upper = Calculator(Input=lower, ResultArrayName="upper", Function="mean+2*deviation")
 view = GetActiveViewOrCreate("RenderView")
-lower = Show(Calculator(Input=bubbles, ResultArrayName="radius", Function="mean-2*deviation"), view)
-shown = Show(Calculator(Input=bubbles, ResultArrayName="radius", Function="mean+2*deviation"), view)
-for each in (lower, shown):
-    each.SetRepresentationType("Ray Traced Glyphs")
-    each.GlyphType = "Sphere"
-    each.ScaleMode = "Magnitude"  # by the radius, which is found by its name
-    ColorBy(each, ("POINTS", "deviation"))
-shown.Opacity = 0.3
+shown = Show(upper, view)
+shown.SetRepresentationType("Ray Traced Glyphs")
+shown.GlyphType = "Sphere"
+shown.ScaleMode = "Magnitude"  # by the radius, which is found by its name
+shown.GlyphShellArray = "upper"
+ColorBy(shown, ("POINTS", "deviation"))
 # --- end
 
 ResetCamera(view)

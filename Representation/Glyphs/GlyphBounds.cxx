@@ -57,7 +57,7 @@ private:
         continue;
       }
       glm::dvec3 position(x[0], x[1], x[2]);
-      if (vectors.Has(i) && rtg::IsFinite(vectors.Get(i)))
+      if (vectors.Has(i) && rtg::IsFinite(vectors.Get(i)) && !this->Settings.Tensors.Cones)
       {
         position += this->Settings.ScaleFactor * glm::make_vec3(vectors.Get(i));
       }
@@ -75,8 +75,31 @@ private:
         lower = rtg::IsFinite(earlier) ? glm::min(lower, earlier) : lower;
         upper = rtg::IsFinite(earlier) ? glm::max(upper, earlier) : upper;
       }
+      if (this->Settings.Tensors.Cones)
+      {
+        this->AddCone(i, tuples, vectors, lower, upper);
+        box.Add(lower, upper);
+        continue;
+      }
       const glm::dvec3 reach = this->Reach(i, tuples);
       box.Add(lower - reach, upper + reach);
+    }
+  }
+
+  // Of the longer cone apex and base.
+  void AddCone(vtkIdType point, rtglyphs::GlyphSizes::Tuples& tuples, rtglyphs::GlyphTuples& vectors, glm::dvec3& lower,
+    glm::dvec3& upper) const
+  {
+    rtglyphs::GlyphSizes::Glyph glyph;
+    rtglyphs::GlyphTensors::Cone cone;
+    const bool shown = this->Sizes.Make(point, tuples, glyph, nullptr) == rtglyphs::GlyphOutcomes::SHOWN &&
+      this->Sizes.MakeCone(glyph, vectors, point, cone) == rtglyphs::GlyphOutcomes::SHOWN;
+    if (shown)
+    {
+      const glm::dmat3 axes = glm::mat3_cast(cone.Rotation) * cone.Most;
+      const glm::dvec3 y = axes[1] * cone.Slopes[0], z = axes[2] * cone.Slopes[1], reach = glm::sqrt(y * y + z * z);
+      lower = glm::min(lower, lower + axes[0] - reach);
+      upper = glm::max(upper, upper + axes[0] + reach);
     }
   }
 

@@ -71,6 +71,17 @@ Outcome TakeCylinder(
   shift = 0.5 * (part.Begin + part.End) / part.Length();
   return SHOWN;
 }
+
+// One of the cones of an uncertain direction, of the largest or of the least length; its apex, at +x, is at the point.
+Outcome
+TakeCone(int part, const rtglyphs::GlyphTensors::Cone& cone, glm::dvec3& size, glm::dquat& rotation, double& shift)
+{
+  const double length = part == 0 ? cone.Most : cone.Least;
+  size = length * glm::dvec3(1.0, 2.0 * cone.Slopes[0], 2.0 * cone.Slopes[1]);
+  rotation = cone.Rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
+  shift = -0.5;
+  return length > 0.0 ? SHOWN : NOT_SHOWN;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -108,7 +119,7 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   const glm::dvec3& unit = settings.UnitSize;
   const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
   this->SameSizes = !sizedByData && sameSides;
-  this->OneSize = !settings.Sizing.Split &&
+  this->OneSize = !settings.Sizing.Split && !settings.Tensors.Cones &&
     (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && sameSides;
   this->Turned = (this->Has(rtglyphs::GlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
     !(this->IsRound() && this->AnchorShift == 0.0);
@@ -183,7 +194,7 @@ glm::dvec3 rtglyphs::GlyphMaker::CenterOf(
 glm::dvec3 rtglyphs::GlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
 {
   glm::dvec3 place = ToVector(tuples.Positions.Get(point));
-  if (this->How.Tensors.AtTips)
+  if (this->How.Tensors.AtTips && !this->How.Tensors.Cones)
   {
     rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
     place += vectors.Has(point) ? this->How.ScaleFactor * ToVector(vectors.Get(point)) : glm::dvec3(NAN);
@@ -282,6 +293,12 @@ Outcome rtglyphs::GlyphMaker::Make(
     rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
     const double magnitude = vtkMath::Norm(vectors.Get(point), vectors.Size());
     outcome = TakeCylinder(this->How.CylinderOf(magnitude, part), this->How.ScaleFactor, size, rotation, glyph.Shift);
+  }
+  else if (this->How.Tensors.Cones)
+  {
+    rtglyphs::GlyphTensors::Cone cone;
+    outcome = this->Sizes.MakeCone(sized, tuples[rtglyphs::GlyphArrays::ORIENTATION], point, cone);
+    outcome = outcome == SHOWN ? TakeCone(part, cone, size, rotation, glyph.Shift) : outcome;
   }
   else if (this->NumberOfParts > 1)
   {

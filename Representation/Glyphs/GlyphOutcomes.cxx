@@ -59,6 +59,9 @@ vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs
   say(counts[TENSOR], tensor + "not finite", "To silence this warning remove the points with Threshold.");
   say(counts[COVARIANCE], tensor + "no covariance, because it has a negative eigenvalue",
     "Choose another GlyphTensorArray or GlyphTensorLayout, or remove these points with Threshold.");
+  std::ostringstream direction;
+  direction << "their direction is uncertain by 75 degrees or more at GlyphConfidence " << settings.Tensors.Confidence;
+  say(counts[DIRECTION], direction.str(), "Choose a lower GlyphConfidence, or GlyphShape Uncertain Vector.");
   sayOfZeros(counts[ZERO_TENSOR], tensor + "zero", "Choose another GlyphTensorArray, or another time step.");
   const std::string components = "the components of their tuple in the point array '" + settings.Forms.Array + "' are ";
   say(counts[POLYNOMIAL], components + "not all finite, or too large or small for floats",

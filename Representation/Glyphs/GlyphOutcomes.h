@@ -30,6 +30,7 @@ enum Outcome : unsigned char
   ORIENTATION,
   TENSOR,
   COVARIANCE,
+  DIRECTION,
   EXPONENT,
   MOTION,
   FORM,

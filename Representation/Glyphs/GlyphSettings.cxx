@@ -193,6 +193,15 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Trails(int steps, bool transluc
 }
 
 //----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Shells(const std::string& array) const
+{
+  rtglyphs::GlyphSettings settings = *this;
+  settings.Shell = true;
+  (settings.Tensors.On ? settings.Tensors.Array : settings.ScaleArray) = array;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
 rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
 {
   rtglyphs::GlyphSettings settings = *this;
@@ -254,9 +263,11 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceEllipsoids() const
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceAtTips() const
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceAtTips(bool cones) const
 {
   rtglyphs::GlyphSettings settings = this->ConfidenceEllipsoids();
+  settings.Shape = cones ? rtg::Shape::Cone : settings.Shape;
+  settings.Tensors.Cones = cones;
   settings.Scaling = settings.OfVectors = false;
   settings.Tensors.AtTips = true;
   settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;

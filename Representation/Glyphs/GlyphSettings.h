@@ -93,6 +93,7 @@ struct GlyphSettings : GlyphScaling
   GlyphMotion::Settings Motion; // on: the glyphs move while the shutter is open
   int TrailSteps = 0; // > 0: of the glyphs, the trails over so many earlier steps (GlyphTrails), or bounds with these
   bool TrailJoined = false; // inside them there is no surface, as translucent ones show
+  bool Shell = false;       // around glyphs of other sizes, whose messages say what both lack
 
   bool operator==(const GlyphSettings&) const = default;
 
@@ -211,13 +212,18 @@ struct GlyphSettings : GlyphScaling
   ///@{
   /**
    * Arrows of these settings' directions, whose lengths are the magnitudes; and the ellipsoids round their tips of the
-   * vectors' covariances. They do not turn while the shutter is open. And ellipsoids round the points, of covariances
-   * of their places.
+   * vectors' covariances, or cones of these. They do not turn while the shutter is open. And ellipsoids round the
+   * points, of covariances of their places.
    */
   GlyphSettings Vectors() const;
-  GlyphSettings ConfidenceAtTips() const;
+  GlyphSettings ConfidenceAtTips(bool cones) const;
   GlyphSettings ConfidenceEllipsoids() const;
   ///@}
+
+  /**
+   * Shells around the glyphs, of another array of tensors, or of sizes.
+   */
+  GlyphSettings Shells(const std::string& array) const;
 
   /**
    * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,

@@ -27,15 +27,18 @@ struct GlyphShapes
     FOURTH_ORDER_TENSOR = 14,
     PRINCIPAL_AXES = 15, // of tensors
     SPLIT_VECTOR = 16,
-    UNCERTAIN_VECTOR = 17,    // with tensors as covariances
-    CONFIDENCE_ELLIPSOID = 18 // of tensors as covariances
+    UNCERTAIN_VECTOR = 17,     // with tensors as covariances
+    CONFIDENCE_ELLIPSOID = 18, // of tensors as covariances
+    UNCERTAIN_DIRECTION = 19   // with tensors as covariances
   };
 
   static bool IsKnown(int shape)
   {
     return shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
-      (shape >= CAPSULE && shape <= CONFIDENCE_ELLIPSOID);
+      (shape >= CAPSULE && shape <= UNCERTAIN_DIRECTION);
   }
+
+  static bool IsUncertain(int shape) { return shape == UNCERTAIN_VECTOR || shape == UNCERTAIN_DIRECTION; }
 };
 
 } // namespace rtglyphs

@@ -6,6 +6,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -175,4 +177,20 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
   this->Finish(point, tuples, glyph.Size);
   const bool good = !tuples.Radii.Has(point) || rtg::IsPositive(glyph.Size.y);
   return good ? SHOWN : glyph.Size.y == 0.0 ? ZERO_RADIUS : RADIUS;
+}
+
+//----------------------------------------------------------------------------
+Outcome rtglyphs::GlyphSizes::MakeCone(
+  const Glyph& glyph, rtglyphs::GlyphTuples& vectors, vtkIdType point, rtglyphs::GlyphTensors::Cone& cone) const
+{
+  const glm::dvec3 vector = vectors.Has(point) ? glm::make_vec3(vectors.Get(point)) : glm::dvec3(NAN);
+  if (!rtg::IsFinite(vector))
+  {
+    return NOT_SHOWN; // the arrows' messages name it
+  }
+  const double confidence = this->Settings.Tensors.Confidence;
+  const glm::dvec3 deviations = glm::abs(glyph.Size) / (2.0 * rtglyphs::GlyphTensors::RadiusOf(confidence));
+  const bool found =
+    rtglyphs::GlyphTensors::ConeOf(this->Settings.ScaleFactor * vector, deviations, glyph.Rotation, confidence, cone);
+  return found ? SHOWN : DIRECTION;
 }

@@ -126,6 +126,12 @@ public:
   GlyphOutcomes::Outcome Make(vtkIdType point, Tuples& tuples, Glyph& glyph, float* polynomial) const;
 
   /**
+   * The cone of a vector whose covariance's ellipsoid the glyph is.
+   */
+  GlyphOutcomes::Outcome
+  MakeCone(const Glyph& glyph, GlyphTuples& vectors, vtkIdType point, GlyphTensors::Cone& cone) const;
+
+  /**
    * Positive extents, no less than the exact ones; `part`: the part of them that is left when the polynomial's own
    * shape counts, instead of all it may become.
    */

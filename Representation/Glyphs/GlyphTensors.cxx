@@ -193,18 +193,78 @@ rtglyphs::GlyphTensors::GlyphTensors(
       });
 }
 
-//----------------------------------------------------------------------------
-// By bisection: the cumulative distribution of the distance rises.
-double rtglyphs::GlyphTensors::RadiusOf(double confidence)
+namespace
 {
-  double low = 0.0, high = 10.0;
+// By bisection: where a cumulative distribution, which rises from 0, has this value.
+template <typename Distribution>
+double Quantile(double high, double share, const Distribution& distribution)
+{
+  double low = 0.0;
   for (int i = 0; i < 60; ++i)
   {
-    const double r = 0.5 * (low + high);
-    const double share = std::erf(r / std::sqrt(2.0)) - r * std::sqrt(2.0 / vtkMath::Pi()) * std::exp(-0.5 * r * r);
-    (share < confidence ? low : high) = r;
+    const double middle = 0.5 * (low + high);
+    (distribution(middle) < share ? low : high) = middle;
   }
   return high;
+}
+
+// What fraction of a Gaussian lies within so many standard deviations.
+double Within(double r)
+{
+  return std::erf(r / std::sqrt(2.0));
+}
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphTensors::RadiusOf(double confidence)
+{
+  return Quantile(
+    10.0, confidence, [](double r) { return Within(r) - r * std::sqrt(2.0 / vtkMath::Pi()) * std::exp(-0.5 * r * r); });
+}
+
+//----------------------------------------------------------------------------
+// With the covariance a unit matrix the cone is round, its ellipsoid a ball of radius k at the distance m, sin a = k /
+// m, and the integral over the planes across its axis is closed. The half-spaces that hold the ellipsoid make the
+// quadratic form mean mean^T - k^2 covariance, which needs no inverse.
+bool rtglyphs::GlyphTensors::ConeOf(
+  const glm::dvec3& mean, const glm::dvec3& deviations, const glm::dquat& frame, double confidence, Cone& cone)
+{
+  const double widest = 3.7320508075688776; // tan(75 degrees)
+  const glm::dmat3 axes = glm::mat3_cast(frame);
+  const double m = glm::length((mean * axes) / deviations);
+  const auto below = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
+  const double k = Quantile(std::min(m, 10.0), confidence,
+    [&](double r)
+    {
+      const double cosine = std::sqrt(1.0 - (r / m) * (r / m));
+      return below(m) - cosine * std::exp(-0.5 * r * r) * below(m * cosine);
+    });
+  const glm::dmat3 roots(axes[0] * deviations.x, axes[1] * deviations.y, axes[2] * deviations.z);
+  const glm::dmat3 covariance = roots * glm::transpose(roots);
+  const glm::dmat3 form = glm::outerProduct(mean, mean) - k * k * covariance;
+  if (!(m > 0.0) || !rtg::IsFinite(glm::dvec3(form[0] + form[1] + form[2])))
+  {
+    return false;
+  }
+  rtg::Eigensystem eigen = rtg::Decompose({ form[0][0], form[1][1], form[2][2], form[0][1], form[1][2], form[0][2] });
+  const glm::dvec3 slopes = glm::sqrt(glm::max(-eigen.values, glm::dvec3(0.0)) / eigen.values.x);
+  if (!(eigen.values.x > 0.0) || !(std::max(slopes.y, slopes.z) < widest))
+  {
+    return false;
+  }
+  if (glm::dot(eigen.vectors[0], mean) < 0.0)
+  {
+    eigen.vectors[0] = -eigen.vectors[0];
+    eigen.vectors[1] = -eigen.vectors[1];
+  }
+  cone.Rotation = glm::quat_cast(eigen.vectors);
+  cone.Slopes[0] = std::max(slopes.y, 1e-6); // thinner ones are not tested
+  cone.Slopes[1] = std::max(slopes.z, 1e-6);
+  const double middle = glm::dot(eigen.vectors[0], mean);
+  const double reach = Quantile(10.0, confidence, Within) * glm::length(eigen.vectors[0] * roots);
+  cone.Least = middle - reach;
+  cone.Most = middle + reach;
+  return true;
 }
 
 namespace

@@ -93,6 +93,7 @@ public:
     bool Covariances = false; // of Gaussians; their glyphs are the ellipsoids that hold a fraction of each
     double Confidence = 0.95; // that fraction
     bool AtTips = false;      // round the tips of vectors, which the glyphs' directions are, instead of the points
+    bool Cones = false;       // of these vectors cones from the points instead: ConeOf()
 
     bool operator==(const Source&) const = default;
   };
@@ -115,8 +116,9 @@ public:
     bool HasRange() const { return this->On && (IsNumber(this->Coloring) || this->Coloring == EIGENVALUES); }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
 
-    /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector.
-    int Parts() const { return this->On && this->Cross ? 6 : 1; }
+    /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector, with Cones one
+    /// of the largest and one of the least length.
+    int Parts() const { return this->On && this->Cross ? 6 : this->On && this->Cones ? 2 : 1; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
     Settings Effective() const;
@@ -143,6 +145,20 @@ public:
    * it.
    */
   static double RadiusOf(double confidence);
+
+  /**
+   * Of a Gaussian of vectors: the cone of tangents from zero to that ellipsoid of the covariance round the mean with
+   * which it holds a fraction of all directions; and the lengths along its axis, x, between which the same fraction of
+   * all vectors lies. False: no cone of less than 75 degrees does.
+   */
+  struct Cone
+  {
+    double Least = 0.0, Most = 0.0;
+    double Slopes[2] = { 0.0, 0.0 }; // of its sides, along y and z
+    glm::dquat Rotation{ 1.0, 0.0, 0.0, 0.0 };
+  };
+  static bool
+  ConeOf(const glm::dvec3& mean, const glm::dvec3& deviations, const glm::dquat& frame, double confidence, Cone& cone);
 
   /**
    * Factor of the longest extent of a unit glyph: the largest magnitude of an eigenvalue, of a covariance

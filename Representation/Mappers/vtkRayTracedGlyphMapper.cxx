@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <regex>
 #include <utility>
 
 vtkStandardNewMacro(vtkRayTracedGlyphMapper);
@@ -90,6 +91,17 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
   const float shutter[] = { instances.motion.shutterOpen, instances.motion.shutterClose };
   Mix(sum, shutter, 2);
   return sum;
+}
+
+// Messages that name the shells' array, with its property; the glyphs inside have the others.
+void KeepOfShells(const rtglyphs::GlyphSettings& settings, std::vector<std::string>& messages)
+{
+  const std::string array = "'" + (settings.Tensors.On ? settings.Tensors.Array : settings.ScaleArray) + "'";
+  std::erase_if(messages, [&](const std::string& message) { return message.find(array) == std::string::npos; });
+  for (std::string& message : messages)
+  {
+    message = std::regex_replace(message, std::regex("GlyphTensorArray|SelectScaleArray"), "GlyphShellArray");
+  }
 }
 
 // From blue at -1 over white to red at 1.
@@ -173,6 +185,10 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   {
     this->Digest = digest;
     this->InstanceVersion = NewVersion();
+  }
+  if (this->Settings.Shell)
+  {
+    KeepOfShells(this->Settings, result.Messages);
   }
   // Axes and trails go with glyphs, which have reported bad points.
   if (!this->Settings.Tensors.Axes && !trails)

@@ -29,7 +29,7 @@ namespace DataSummary = rtglyphs::DataSummary;
 
 namespace
 {
-constexpr double ellipsoidOpacity = 0.4; // of uncertain vectors, whose heads are seen through it
+constexpr double besideOpacity = 0.4; // of what surrounds glyphs, which are seen through it
 }
 
 //****************************************************************************
@@ -63,7 +63,7 @@ std::vector<std::string> rtglyphs::GlyphContent::Arrays() const
 {
   const rtglyphs::GlyphSettings settings = this->MakeSettings();
   return { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray, settings.Tensors.Array,
-    settings.Forms.Array };
+    settings.Forms.Array, this->ShellArray };
 }
 
 //----------------------------------------------------------------------------
@@ -102,8 +102,8 @@ void rtglyphs::GlyphContent::CountPointsOfAllRanks(vtkPolyData* points)
 bool rtglyphs::GlyphContent::IsTranslucent() const
 {
   const bool table = this->TensorTable && this->Settings.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || this->FadesTrails() || this->GlyphShape == GlyphShapes::UNCERTAIN_VECTOR ||
-    !rtglyphs::RayTracedArrays::IsNone(this->Settings.OpacityArray);
+  return table || this->FadesTrails() || GlyphShapes::IsUncertain(this->GlyphShape) ||
+    this->HasShells(this->MakeSettings()) || !rtglyphs::RayTracedArrays::IsNone(this->Settings.OpacityArray);
 }
 
 //----------------------------------------------------------------------------
@@ -121,9 +121,10 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPoly
       all.back().Mesh = corners;
     }
   }
-  else if (const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings))
+  else
   {
-    all.push_back(*beside);
+    const std::vector<rtglyphs::GlyphSettings> beside = this->Beside(points, settings);
+    all.insert(all.end(), beside.begin(), beside.end());
   }
   return all;
 }
@@ -215,18 +216,33 @@ vtkSmartPointer<vtkRayTracedMapper> rtglyphs::GlyphContent::MakeMapper() const
 }
 
 //----------------------------------------------------------------------------
-// Glyphs that go with others: arrows of the antisymmetric parts of tensors, ellipsoids of uncertain vectors.
-std::optional<rtglyphs::GlyphSettings>
+bool rtglyphs::GlyphContent::HasShells(const rtglyphs::GlyphSettings& settings) const
+{
+  return !rtglyphs::RayTracedArrays::IsNone(this->ShellArray) && (settings.Tensors.On || settings.Scaling) &&
+    settings.Parts() == 1 && !settings.OfVectors && settings.Shape != rtg::Shape::Mesh;
+}
+
+//----------------------------------------------------------------------------
+// Glyphs that go with others: what surrounds them, arrows of the antisymmetric parts of tensors.
+std::vector<rtglyphs::GlyphSettings>
 rtglyphs::GlyphContent::Beside(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
 {
-  if (this->GlyphShape == GlyphShapes::UNCERTAIN_VECTOR)
+  std::vector<rtglyphs::GlyphSettings> beside;
+  if (GlyphShapes::IsUncertain(this->GlyphShape))
   {
-    return settings.ConfidenceAtTips();
+    beside.push_back(settings.ConfidenceAtTips(this->GlyphShape == GlyphShapes::UNCERTAIN_DIRECTION));
+  }
+  if (this->HasShells(settings))
+  {
+    beside.push_back(settings.Shells(this->ShellArray));
   }
   vtkDataArray* tensors =
     this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
-  const bool axes = tensors && tensors->GetNumberOfComponents() == 9 && !settings.Tensors.Covariances;
-  return axes ? std::optional(settings.AxesOfTensors()) : std::nullopt;
+  if (tensors && tensors->GetNumberOfComponents() == 9 && !settings.Tensors.Covariances)
+  {
+    beside.push_back(settings.AxesOfTensors());
+  }
+  return beside;
 }
 
 //----------------------------------------------------------------------------
@@ -255,9 +271,10 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   this->UpdateLegend(settings);
   this->Common.Key->SetColoring(settings.DirectionColoring);
 
-  const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(frame.Points, settings);
+  const std::vector<rtglyphs::GlyphSettings> beside = this->Beside(frame.Points, settings);
   const bool trails = this->HasTrails();
-  const int tableLayers = settings.TableSize - 1, layers = tableLayers + (beside ? 1 : 0) + (trails ? 1 : 0);
+  const int tableLayers = settings.TableSize - 1,
+            layers = tableLayers + static_cast<int>(beside.size()) + (trails ? 1 : 0);
   this->ResizeLayers(frame.Representation, frame.View, layers);
   for (int i = 0; i < layers; ++i)
   {
@@ -276,19 +293,21 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
     settings.TableEntry = entry;
     this->Layers[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetMesh(entry));
   }
-  if (beside)
+  for (std::size_t i = 0; i < beside.size(); ++i)
   {
-    rtglyphs::GlyphLayers::Layer& layer = this->Layers[tableLayers];
-    layer.Mapper->SetSettings(*beside, nullptr);
+    rtglyphs::GlyphLayers::Layer& layer = this->Layers[tableLayers + i];
+    layer.Mapper->SetSettings(beside[i], nullptr);
     vtkProperty* property = layer.Actor->GetProperty();
-    if (beside->Tensors.Axes)
+    if (beside[i].Tensors.Axes)
     {
       property->SetAmbientColor(this->TensorAxisColor.data());
       property->SetDiffuseColor(this->TensorAxisColor.data());
     }
     else
     {
-      property->SetOpacity(ellipsoidOpacity * property->GetOpacity());
+      layer.Mapper->SetTensorTable(this->TensorTable);
+      layer.Mapper->SetTensorRange(main->GetTensorRange());
+      property->SetOpacity(besideOpacity * property->GetOpacity());
     }
   }
 }
@@ -394,7 +413,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
   {
     return settings.SplitVectors();
   }
-  if (this->GlyphShape == GlyphShapes::UNCERTAIN_VECTOR)
+  if (GlyphShapes::IsUncertain(this->GlyphShape))
   {
     return settings.Vectors();
   }

@@ -18,7 +18,7 @@
 #include "vtkScalarsToColors.h"
 
 #include <cstddef>
-#include <optional>
+#include <vector>
 
 namespace rtglyphs
 {
@@ -40,7 +40,7 @@ public:
   bool SourceIndexing = false, UseSourceTableTree = false;
   bool FixedHeads = false;
   vtkGlyphLegend::Style LegendStyle;
-  std::string HarmonicsArray;
+  std::string HarmonicsArray, ShellArray;
   double TrailFading = 0.0;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
@@ -76,8 +76,9 @@ public:
 
 private:
   GlyphSettings MakeSettings() const;
+  bool HasShells(const GlyphSettings& settings) const;
   bool FadesTrails() const { return this->HasTrails() && this->TrailFading > 0.0; }
-  std::optional<GlyphSettings> Beside(vtkPolyData* points, const GlyphSettings& settings) const;
+  std::vector<GlyphSettings> Beside(vtkPolyData* points, const GlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points, double time);
   void UpdateDataSizes(vtkPolyData* points);

@@ -645,7 +645,7 @@ void vtkRayTracedRepresentation::SetGlyphShape(int shape)
 {
   if (!rtglyphs::GlyphShapes::IsKnown(shape))
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 18.");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 19.");
     return;
   }
   this->Glyphs.GlyphShape = shape;

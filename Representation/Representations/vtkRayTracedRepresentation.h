@@ -225,6 +225,11 @@ public:
   ///@}
 
   /**
+   * Tensors, of shapes that show some, else sizes of translucent shells around the glyphs; default none.
+   */
+  void SetGlyphShellArray(const char* name) { this->SetArray(this->Glyphs.ShellArray, name); }
+
+  /**
    * Opacities of the glyphs, in [0, 1], times that of the representation and of colors; default none.
    */
   void SetGlyphOpacityArray(const char* name) { this->Glyphs.Settings.OpacityArray = OrEmpty(name); }

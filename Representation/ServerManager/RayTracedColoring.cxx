@@ -129,7 +129,7 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
   const bool arrows = shape == 0 && source &&
     (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
-  const bool directed = shape == Shapes::SPLIT_VECTOR || shape == Shapes::UNCERTAIN_VECTOR ||
+  const bool directed = shape == Shapes::SPLIT_VECTOR || Shapes::IsUncertain(shape) ||
     (arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =

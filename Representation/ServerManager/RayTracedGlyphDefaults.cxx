@@ -179,12 +179,12 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   // Split and uncertain vectors have the lengths and directions of SelectOrientationVectors.
   decorate({ "ScaleMode", "SelectScaleArray", "Orient", "OrientationMode" },
     "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
-      where("Representation", "Ray Traced Glyphs", "inverse='1'") + whereShape("16 17", "inverse='1'") +
+      where("Representation", "Ray Traced Glyphs", "inverse='1'") + whereShape("16 17 19", "inverse='1'") +
       "</Expression></PropertyWidgetDecorator>");
   // ParaView's Coloring says nothing true while tensors are colored by themselves.
   const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Representation", "Ray Traced Glyphs", "inverse='1'") + where("GlyphTensorColoring", "0") +
-    whereShape("0 5 10 11 16 17") + "</Expression></PropertyWidgetDecorator></Hints>";
+    whereShape("0 5 10 11 16 17 19") + "</Expression></PropertyWidgetDecorator></Hints>";
   const vtkSmartPointer<vtkPVXMLElement> coloring = vtkPVXMLParser::ParseXML(colored.c_str());
   for (size_t i = 0; i < display->GetNumberOfPropertyGroups(); ++i)
   {
@@ -404,7 +404,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   const int shape = static_cast<int>(number("GlyphShape"));
   const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
     (shape >= Shapes::REYNOLDS && shape <= Shapes::PRINCIPAL_AXES) || shape == Shapes::CONFIDENCE_ELLIPSOID;
-  const bool formed = tensors || shape == Shapes::UNCERTAIN_VECTOR;
+  const bool formed = tensors || Shapes::IsUncertain(shape);
   if (formed || shape == Shapes::SPHERICAL_HARMONICS)
   {
     explain("Shape", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");

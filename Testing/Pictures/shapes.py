@@ -16,7 +16,7 @@ FOLDER = os.path.join(HERE, "..", "..", "Plugin", "Shapes")
 WIDTH, HEIGHT = 112, 84
 #: of tensors
 ARRAYS = {"Fourth-Order Tensor": "stiffness", "Tensor Ellipsoid": "tensor", "Tensor Superquadric": "tensor", "Uncertain Vector": "covariance",
-          "Confidence Ellipsoid": "covariance"}
+          "Uncertain Direction": "covariance", "Confidence Ellipsoid": "covariance"}
 
 
 def stiffness():
@@ -46,7 +46,7 @@ def main():
         shown.GlyphExponents = [3.0, 1.2, 1.2] if name == "Nested Superquadric" else [6.0, 6.0, 1.2]
         shown.GlyphAnchor = "Center"
         shown.SelectOrientationVectors = "small" if name == "Split Vector" else "v"
-        middle = numpy.array([0.5, 0.12, 0.1]) if name == "Uncertain Vector" else numpy.zeros(3)
+        middle = numpy.array([0.5, 0.12, 0.1]) if name.startswith("Uncertain") else numpy.zeros(3)
         session.look(view, middle + (1.5, -4.0, 2.2), middle, up=(0.0, 0.0, 1.0), parallel_scale=1.15 if name == "Capsule" else 0.72)
         pv.SaveScreenshot(os.path.join(FOLDER, name + ".png"), view, ImageResolution=[WIDTH, HEIGHT], TransparentBackground=1)
     session.finish()

@@ -70,7 +70,7 @@ def split_vectors(view, _, __):
     look(view, (0.0, -2.6, 8.6), (0.0, -0.12, 0.0), (0.0, 1.0, 0.0))
 
 
-def uncertain_vectors(view, _, __):
+def uncertain_vectors(view, _, __, shape="Uncertain Vector"):
     """The mean of a vortex whose middle is uncertain by a Gaussian, and the covariances of 500 samples of it."""
     x, y = (a.ravel() for a in numpy.meshgrid(numpy.linspace(-3.0, 3.0, 10), numpy.linspace(-2.1, 2.1, 7)))
     points = numpy.stack([x, y, 0.0 * x], axis=1)
@@ -79,7 +79,7 @@ def uncertain_vectors(view, _, __):
     flows = numpy.stack([-r[..., 1], r[..., 0], 0.3 * r[..., 2]], axis=-1) / (0.5 + (r ** 2).sum(axis=-1, keepdims=True))
     mean = flows.mean(axis=0)
     covariance = numpy.einsum("spi,spj->pij", flows - mean, flows - mean).reshape(-1, 9) / (len(flows) - 1)
-    shown = show(source(points, mean=mean, covariance=covariance, speed=numpy.linalg.norm(mean, axis=1)), view, "Uncertain Vector", SelectOrientationVectors="mean",
+    shown = show(source(points, mean=mean, covariance=covariance, speed=numpy.linalg.norm(mean, axis=1)), view, shape, SelectOrientationVectors="mean",
                  GlyphTensorArray="covariance", ScaleFactor=0.8, GlyphConfidence=0.9)
     colored_by(shown, "speed", 0.0, 0.7)
     look(view, (0.0, -4.2, 8.4), (0.0, -0.1, 0.0), (0.0, 1.0, 0.0))
@@ -126,7 +126,8 @@ def main():
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
     pictures = {"flow": flow, "split_vectors": split_vectors,
-                "uncertain_vectors": uncertain_vectors, "confidence_ellipsoids": confidence_ellipsoids}
+                "uncertain_vectors": uncertain_vectors,
+                "uncertain_directions": lambda *given: uncertain_vectors(*given, shape="Uncertain Direction"), "confidence_ellipsoids": confidence_ellipsoids}
     shared = os.environ.get("RTGLYPHS_SHARED_DATA", "")
     for name, file in (("tensors-vtk", "tensors.vtk"), ("dt-helix", "dt-helix.nhdr")):
         path = os.path.join(shared, file)

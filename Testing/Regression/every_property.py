@@ -292,6 +292,8 @@ ROWS = [
     Row("GlyphMode", "Every Nth", glyphs(6), **MASKED),
     Row("GlyphMode", "Even in Space", glyphs(20), **{**MASKED, "GlyphMode": "Every Nth"}),
     Row("GlyphStride", 4, glyphs(15), **{**MASKED, "GlyphMode": "Every Nth"}),
+    # Around a ball of a quarter of the size one of half of it, whose two sides have 0.4 of the opacity
+    Row("GlyphShellArray", "half", area(DISC * (1.0 / 16.0 + (1.0 - 0.6 ** 2) * 3.0 / 16.0)), ScaleMode="Magnitude", SelectScaleArray="quarter"),
     # The legend
     Row("GlyphLegend", "Lower Left", pixels_of(GREEN, 30, 1000), GlyphLegendColor=GREEN, ScaleMode="Magnitude", SelectScaleArray="size"),
     Row("GlyphLegendValue", 0.4, legend(0.4), ScaleMode="Magnitude", SelectScaleArray="size"),

@@ -108,7 +108,8 @@ WANTED = {
 
 def see_through(case, picture, checks):
     """Glyphs of the lower bounds are seen in those of the upper ones: without them all their pixels are others."""
-    case["lower"].Visibility = 0
+    shown = case["shown"]
+    shown.SelectScaleArray, shown.GlyphShellArray, shown.Opacity = "upper", "None", 0.4
     without = session.capture(case["view"], "recipe-without-lower", ImageResolution=[400, 300]).astype(int)
     columns, rows = pixels_of(spheres(case["positions"], case["means"] - 2.0 * case["deviations"]), case["view"], 400, 300)
     changed = grown(numpy.abs(picture.astype(int) - without).max(axis=2) > 8, 1)
@@ -140,7 +141,7 @@ def figure(name, part, case, checks):
     """raytracedglyphs.Figure() makes a picture with a recipe's settings, in five lines with those that open the data."""
     import raytracedglyphs  # comes with the plugin
     opening = [line for line in part.split("view = ")[0].splitlines() if line.strip()]
-    checks.within(name + ": lines to a figure", len(opening) + (2 if "lower" in case else 1), 1, 5)
+    checks.within(name + ": lines to a figure", len(opening) + 1, 1, 5)
     asked = types.SimpleNamespace()
     exec("\n".join(re.findall(r"^ *((?:shown|each)\..* = .*)", part, re.MULTILINE)), {"shown": asked, "each": asked})
     wanted = vars(asked)
@@ -188,6 +189,7 @@ def recipe(name, page, checks):
         checks.within(name + ": fraction of the picture that is no surface", unexplained, 0.0, UNEXPLAINED)
     if "lower" in case:
         see_through(case, picture, checks)
+        shown.SelectScaleArray, shown.GlyphShellArray, shown.Opacity = "radius", "upper", 1.0
     figure(name, parts[0], case, checks)
     pv.Delete(view)
     for source in list(pv.GetSources().values()):
