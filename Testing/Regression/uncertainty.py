@@ -65,9 +65,8 @@ def same_pictures(checks, view, what, shown, others, moves=True):
                     setattr(each, key, value)
             pictures.append(session.capture(view, "uncertainty-%s-%s-%d" % (what.replace(" ", "-"), lit, len(pictures))))
         checks.picture("%s, %s" % (what, lit), *pictures, pixels=0.0 if lit == "local" else 0.02, mean=0.3)
-    for each in others:
-        each.Visibility = 0
-    shown.Visibility, shown.MotionBlur, shown.SamplesPerPixel = 1, 0, 1
+    for each in [shown] + others:
+        each.Visibility, each.MotionBlur, each.SamplesPerPixel = each is shown, 0, 1
     pv.Render(view)
 
 
