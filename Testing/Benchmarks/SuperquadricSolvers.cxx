@@ -169,7 +169,7 @@ Report Run(Solver<Real> solver, const Scene& scene, benchmark::Turns& turns)
 }
 
 /// A row of the file.
-struct Row
+struct ReportRow
 {
   const char* family;
   std::string situation;
@@ -177,7 +177,7 @@ struct Row
   Report report;
 };
 
-void Write(std::ostream& csv, const Row& row, const benchmark::Turns& turns)
+void Write(std::ostream& csv, const ReportRow& row, const benchmark::Turns& turns)
 {
   const Report& r = row.report;
   const double rays = double(std::max<std::size_t>(1, r.rays));
@@ -196,7 +196,8 @@ void Write(std::ostream& csv, const Row& row, const benchmark::Turns& turns)
 }
 
 template <class Real>
-void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, benchmark::Turns& turns, std::vector<Row>& rows)
+void RunAll(
+  const std::vector<Scene>& scenes, const char* arithmetic, benchmark::Turns& turns, std::vector<ReportRow>& rows)
 {
   using Rivals = benchmark::Rivals<Real>;
   struct Entry
@@ -263,11 +264,11 @@ try
               "median | max "
               "(rad) | false hits / misses a million |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   benchmark::Turns turns;
-  std::vector<Row> rows;
+  std::vector<ReportRow> rows;
   RunAll<float>(scenes, "float", turns, rows);
   RunAll<double>(scenes, "double", turns, rows);
   turns.Take();
-  for (const Row& row : rows)
+  for (const ReportRow& row : rows)
   {
     Write(csv, row, turns);
   }
