@@ -444,14 +444,14 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
   const bool own = coloring.GetAsInt() != 0 && (tensors || shape == Shapes::SPHERICAL_HARMONICS);
   const bool directions = number("GlyphDirectionColoring") != 0.0;
-  const std::string color = own ? coloring.GetAsString() : directions ? "direction" : array ? array : "";
-  if (!color.empty())
+  const char* color = own ? coloring.GetAsString() : directions ? "direction" : array;
+  if (color && color[0]) // null: a number that is none of the enumeration's
   {
     const bool ofParaView = !own && !directions && !this->Chosen.count("ColorArrayName");
     const std::string why = number("ColorFromData") != 0.0 ? ": what the glyphs show"
       : ofParaView                                         ? ": the array that ParaView chose"
                                                            : "";
-    sentences.push_back("Color by " + color + why);
+    sentences.push_back(std::string("Color by ") + color + why);
   }
   const double negative = summary.GetAsDouble(rtglyphs::DataSummary::NEGATIVE_TENSORS);
   if (tensors && negative > 0.0)

@@ -78,8 +78,8 @@ def lists(checks, stage, data):
     shown = stage.show(data, "Sphere", Orient=0)
     for location, wanted, other in (("Points", "of points", "size"), ("Cells", "size", "of points"), ("Points", "of points", "size")):
         stage.settings.add({"GlyphLocation": location})
-        found = offered(shown, "SelectScaleArray")
-        checks.true("%s: SelectScaleArray offers %s" % (location, found), wanted in found and other not in found)
+        found = offered(shown, "GlyphRadiusArray")
+        checks.true("%s: GlyphRadiusArray offers %s" % (location, found), wanted in found and other not in found)
 
 
 def pictures(checks, what, stages):

@@ -88,7 +88,7 @@ def shares(checks, view, stage):
         shown_ellipsoids(stage, GlyphConfidence=share)
         part = export.from_usda(export_of(checks, view))[0][0][0]
         for number, covariance in enumerate(COVARIANCES):
-            samples = RANDOM.multivariate_normal(POINTS[number], covariance, 100000)
+            samples = RANDOM.multivariate_normal(POINTS[number], covariance, 1000000)
             inside = (numpy.square((samples - part.positions[number]) @ turned(part.quaternions)[number] / (0.5 * part.scales[number])).sum(axis=1) <= 1.0).mean()
             checks.within("fraction of samples of Gaussian %d in the ellipsoid of %g" % (number, share), inside, share - 0.002, share + 0.002)
 
@@ -209,7 +209,7 @@ def directions(checks, view, stage):
         wanted = numpy.zeros((SIDE, SIDE), dtype=bool)
         for number in range(3):
             form, axis, least, most = cone_of(MEANS[number], COVARIANCES[number], share)
-            samples = RANDOM.multivariate_normal(MEANS[number], COVARIANCES[number], 100000)
+            samples = RANDOM.multivariate_normal(MEANS[number], COVARIANCES[number], 1000000)
             own = numpy.abs(apexes - POINTS[number]).max(axis=1) < 1e-5
             lengths = [length for length in (most, least) if length > 0.0]
             checks.true("lengths %s of cones %d, not %s" % (part.scales[own, 0], number, lengths), own.sum() == len(lengths) and numpy.allclose(part.scales[own, 0], lengths, rtol=1e-4))
