@@ -50,7 +50,7 @@ def contents():
     shown = {}
     for group in root.iter("PropertyGroup"):
         of_group = {hint.get("value") for hint in group.iter("PropertyWidgetDecorator") if hint.get("property") == "Representation"}
-        for entry in group.findall("Property"):
+        for entry in group.findall("Property") if of_group else ():
             shown[entry.get("name")] = of_group
     for name, entry in properties()[0].items():
         own = {hint.get("value") for hint in entry.findall("Hints/PropertyWidgetDecorator") if hint.get("property") == "Representation" and hint.get("value")}
