@@ -134,7 +134,7 @@ void ImageBuffers::FillFeatures(Image& image) const
     });
 }
 
-std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples) const
+std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples, std::vector<float>* missingLight) const
 {
   std::vector<glm::vec4> means(this->pixels_);
   this->sums_.Read(this->pixels_ * sizeof(device::PixelSums),
@@ -144,21 +144,14 @@ std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples) const
       std::transform(sums, sums + this->pixels_, means.begin(),
         [samples](const device::PixelSums& sum)
         { return glm::vec4(sum.colour, sum.opacity) / static_cast<float>(samples); });
+      if (missingLight)
+      {
+        missingLight->resize(this->pixels_);
+        std::transform(sums, sums + this->pixels_, missingLight->begin(),
+          [samples](const device::PixelSums& sum) { return sum.missing / static_cast<float>(samples); });
+      }
     });
   return means;
-}
-
-std::vector<float> ImageBuffers::MissingLight(std::uint32_t samples) const
-{
-  std::vector<float> missing(this->pixels_);
-  this->sums_.Read(this->pixels_ * sizeof(device::PixelSums),
-    [&](const void* read)
-    {
-      const auto* sums = static_cast<const device::PixelSums*>(read);
-      std::transform(sums, sums + this->pixels_, missing.begin(),
-        [samples](const device::PixelSums& sum) { return sum.missing / static_cast<float>(samples); });
-    });
-  return missing;
 }
 
 } // namespace rtg

@@ -33,10 +33,9 @@ public:
 
   void FillFeatures(Image& image) const;
 
-  /// Tracer::Means() of sums of so many samples.
-  std::vector<glm::vec4> Means(std::uint32_t samples) const;
-  /// Of the same sums: light missing on the ground, as a fraction of all light in the pixel.
-  std::vector<float> MissingLight(std::uint32_t samples) const;
+  /// Tracer::Means() of sums of so many samples, and of the same sums, if wanted, the light missing on the ground, as a
+  /// fraction of all light in the pixel.
+  std::vector<glm::vec4> Means(std::uint32_t samples, std::vector<float>* missingLight) const;
 
 private:
   void ShowShare(const std::uint32_t* words, const Tiling& tiling);

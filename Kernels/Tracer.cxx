@@ -324,7 +324,7 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
   return state.job.image;
 }
 
-std::vector<glm::vec4> Tracer::Means() const
+std::vector<glm::vec4> Tracer::Means(std::vector<float>* missingLight) const
 {
   const State& state = *this->state_;
   const std::uint32_t samples = state.job.KeptSamples();
@@ -332,23 +332,18 @@ std::vector<glm::vec4> Tracer::Means() const
   {
     throw Error("Ray Traced Glyphs: Means() needs an image that was traced with keepSums.");
   }
-  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(samples); });
+  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(samples, missingLight); });
 }
 
 DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
 {
+  const State& state = *this->state_;
   DenoiseTask task;
-  task.means_ = this->Means();
+  task.settings_ = state.job.settings;
+  task.means_ = this->Means(task.settings_.groundNormal != glm::vec3(0.0f) ? &task.missingLight_ : nullptr);
   if (image.normals.size() != task.means_.size())
   {
     throw Error("Ray Traced Glyphs: denoising needs an image that was traced with features.");
-  }
-  const State& state = *this->state_;
-  task.settings_ = state.job.settings;
-  if (task.settings_.groundNormal != glm::vec3(0.0f))
-  {
-    task.missingLight_ =
-      state.Vulkan().Guard("reading an image", [&] { return state.buffers.MissingLight(state.job.KeptSamples()); });
   }
   task.image_ = image;
   task.shared_ = state.shared;

@@ -183,7 +183,7 @@ public:
 
   /// Mean linear radiance (of local shading: display color) times opacity, and opacity, of each pixel of the last
   /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
-  std::vector<glm::vec4> Means() const;
+  std::vector<glm::vec4> Means(std::vector<float>* missingLight = nullptr) const;
 
   /// The denoising of the last Trace()'s image, which must be complete and traced with keepSums and features. It has
   /// copies of what it needs: more samples can be added meanwhile. It throws rtg::Error soon after a stop is requested.

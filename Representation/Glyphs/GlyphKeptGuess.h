@@ -24,6 +24,8 @@ namespace rtglyphs
 class GlyphKeptGuess
 {
 public:
+  static constexpr double mostExcess = 2.5;
+
   /**
    * Value of 0: the data suggest nothing yet, which is not kept. Limit of the sizes that it leads to, which outliers
    * have; 0: none. Limited: the fraction of all that have it. Extent: the longest side of the points, if it matters.
@@ -79,8 +81,6 @@ public:
   void Forget() { this->Found = Result(); }
 
 private:
-  static constexpr double mostExcess = 2.5;
-
   Result Found;
   GlyphArrays::Key Known;
   double UnitSize = 0.0, Time = 0.0;

@@ -32,10 +32,23 @@ struct GlyphShapes
     UNCERTAIN_DIRECTION = 19   // with tensors as covariances
   };
 
+  static constexpr const char* Known = "0, 5 to 8 and 10 to 19";
   static bool IsKnown(int shape)
   {
     return shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
       (shape >= CAPSULE && shape <= UNCERTAIN_DIRECTION);
+  }
+
+  /// Whose axes are eigenvectors of a tensor.
+  static bool IsTensor(int shape) { return shape >= TENSOR_ELLIPSOID && shape <= SIGNED_TENSOR_SUPERQUADRIC; }
+
+  /// Glyphs of direction.
+  static bool IsPolynomial(int shape) { return shape >= SPHERICAL_HARMONICS && shape <= FOURTH_ORDER_TENSOR; }
+
+  /// Whose surfaces GlyphTensorColoring colors.
+  static bool IsColored(int shape)
+  {
+    return IsTensor(shape) || IsPolynomial(shape) || shape == PRINCIPAL_AXES || shape == CONFIDENCE_ELLIPSOID;
   }
 
   static bool IsUncertain(int shape) { return shape == UNCERTAIN_VECTOR || shape == UNCERTAIN_DIRECTION; }

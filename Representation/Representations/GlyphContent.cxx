@@ -3,6 +3,7 @@
 #include "Finite.h"
 #include "GlyphPointGatherer.h"
 #include "GlyphSample.h"
+#include "RayTracedNumbers.h"
 #include "RayTracedRanks.h"
 #include "GlyphScaleGuess.h"
 #include "GlyphSource.h"
@@ -24,8 +25,6 @@
 #include <string>
 
 using rtglyphs::GlyphShapes;
-using namespace rtglyphs::DataSummary;
-namespace DataSummary = rtglyphs::DataSummary;
 
 namespace
 {
@@ -132,6 +131,7 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPoly
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphContent::UpdateTensorRange(vtkPolyData* points)
 {
+  using namespace rtglyphs::DataSummary;
   const rtglyphs::GlyphSettings settings = this->MakeSettings();
   if (settings.HasNumberRange())
   {
@@ -145,6 +145,7 @@ void rtglyphs::GlyphContent::UpdateTensorRange(vtkPolyData* points)
 // On all ranks that have data; before the first use of the glyphs' size.
 void rtglyphs::GlyphContent::UpdateScaleGuess(vtkPolyData* points, double time)
 {
+  using namespace rtglyphs::DataSummary;
   if (!this->ScaleFactorFromData || !this->Common.HasData)
   {
     return;
@@ -153,7 +154,7 @@ void rtglyphs::GlyphContent::UpdateScaleGuess(vtkPolyData* points, double time)
   const rtglyphs::GlyphSettings settings = this->GetSizes(points, unitSize);
   const rtglyphs::GlyphKeptGuess::Result& found =
     rtglyphs::GlyphScaleGuess::Update(this->Guess, points, settings, unitSize, time);
-  DataSummary::Values& summary = this->Common.Summary;
+  Values& summary = this->Common.Summary;
   summary[SCALE_FACTOR] = found.Value;
   summary[SIZE_LIMIT] = found.Limit;
   summary[LIMITED_FRACTION] = found.Limited;
@@ -163,6 +164,7 @@ void rtglyphs::GlyphContent::UpdateScaleGuess(vtkPolyData* points, double time)
 // On all ranks that have data; when their glyphs have been chosen.
 void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
 {
+  using namespace rtglyphs::DataSummary;
   if (!this->Common.HasData)
   {
     return;
@@ -187,7 +189,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
       });
     largest = rtglyphs::RayTracedRanks::Largest(largest);
   }
-  DataSummary::Values& summary = this->Common.Summary;
+  Values& summary = this->Common.Summary;
   summary[HIGH_SCALE] = highScale;
   summary[MESH_WIDTH] = sides.x;
   summary[MESH_HEIGHT] = sides.y;
@@ -315,6 +317,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& settings)
 {
+  using namespace rtglyphs::DataSummary;
   this->Legend->SetStyle(this->LegendStyle);
   if (!this->LegendStyle.On)
   {
@@ -325,7 +328,7 @@ void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& setting
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
-  const DataSummary::Values& summary = this->Common.Summary;
+  const Values& summary = this->Common.Summary;
   vtkNew<vtkMatrix4x4> matrix;
   this->Common.Parts.Actor->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
@@ -362,9 +365,10 @@ void rtglyphs::GlyphContent::ResizeLayers(
 // Properties that determine each other are combined here, in any order in which they were set.
 rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
 {
+  using namespace rtglyphs::DataSummary;
   rtglyphs::GlyphSettings settings = this->Settings.InRange();
   settings.Motion = this->Common.Time.GetMotion();
-  const DataSummary::Values& summary = this->Common.Summary;
+  const Values& summary = this->Common.Summary;
   settings.HighScale = summary[HIGH_SCALE];
   settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
   settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? rtglyphs::GlyphSettings::COMPONENTS
@@ -385,10 +389,8 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
   settings.Arrow = source.Arrow;
   settings.Arrow.fixedHeads = this->FixedHeads;
   settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
-  settings.Tensors.On =
-    this->GlyphShape >= GlyphShapes::TENSOR_ELLIPSOID && this->GlyphShape <= GlyphShapes::SIGNED_TENSOR_SUPERQUADRIC;
-  const bool polynomial =
-    this->GlyphShape >= GlyphShapes::SPHERICAL_HARMONICS && this->GlyphShape <= GlyphShapes::FOURTH_ORDER_TENSOR;
+  settings.Tensors.On = GlyphShapes::IsTensor(this->GlyphShape);
+  const bool polynomial = GlyphShapes::IsPolynomial(this->GlyphShape);
   if (!polynomial && settings.Tensors.Coloring == rtglyphs::GlyphTensors::RADIUS)
   {
     settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
@@ -403,8 +405,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
   if (this->Common.DirectionColoring != rtglyphs::DirectionColors::NONE)
   {
     settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
-    if (settings.Tensors.On || polynomial || this->GlyphShape == GlyphShapes::PRINCIPAL_AXES ||
-      this->GlyphShape == GlyphShapes::CONFIDENCE_ELLIPSOID)
+    if (GlyphShapes::IsColored(this->GlyphShape))
     {
       settings.DirectionColoring = rtglyphs::DirectionColors::AXES;
     }
@@ -454,8 +455,33 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
 }
 
 //----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::SetMode(int mode)
+{
+  this->Settings.Mask.On = mode > 0;
+  this->Settings.Mask.Mode = std::max(mode - 1, 0);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::SetLegend(int place)
+{
+  this->LegendStyle.On = place > 0;
+  this->LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphContent::SetExponents(const std::array<double, 3>& exponents)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Settings.Exponents[i] =
+      rtglyphs::RayTracedNumbers::NumberOr(exponents[i], 0.0); // NaN makes no glyph, as zero does
+  }
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphContent::SetScaleFactorFromData(bool on)
 {
+  using namespace rtglyphs::DataSummary;
   this->ScaleFactorFromData = on;
   this->Guess.Forget();
   if (this->Common.HasData) // else the client would not send the same again

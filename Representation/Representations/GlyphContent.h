@@ -47,6 +47,15 @@ public:
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   ///@}
 
+  ///@{
+  /**
+   * As the properties GlyphMode and GlyphLegend have it, of which 0 is none, and GlyphExponents.
+   */
+  void SetMode(int mode);
+  void SetLegend(int place);
+  void SetExponents(const std::array<double, 3>& exponents);
+  ///@}
+
   void SetScaleFactorFromData(bool on);
 
   /**

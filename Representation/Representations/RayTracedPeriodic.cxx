@@ -1,10 +1,13 @@
 #include "RayTracedPeriodic.h"
 
+#include "RayTracedRanks.h"
+#include "RayTracedTree.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -44,16 +47,38 @@ vtkDataArray* FindEdges(vtkFieldData* field)
 
 //----------------------------------------------------------------------------
 rtg::PeriodicImages
-rtglyphs::RayTracedPeriodic::Make(vtkFieldData* field, const vtkBoundingBox& box, std::string& problem) const
+rtglyphs::RayTracedPeriodic::Make(vtkDataObject* points, vtkDataObject* data, bool together, std::string& problem) const
 {
   rtg::PeriodicImages images;
-  if (!this->Boundary || !box.IsValid())
+  if (!this->Boundary)
+  {
+    return images;
+  }
+  vtkBoundingBox box;
+  if (points)
+  {
+    RayTracedTree::ForEach(points,
+      [&box](vtkPolyData* leaf)
+      {
+        if (leaf->GetNumberOfPoints() > 0)
+        {
+          box.AddBounds(leaf->GetBounds());
+        }
+      });
+  }
+  if (together)
+  {
+    box = RayTracedRanks::Union(box);
+  }
+  if (!box.IsValid())
   {
     return images;
   }
   std::array<double, 9> edges = this->Vectors;
   if (edges == std::array<double, 9>{})
   {
+    vtkFieldData* own = points ? points->GetFieldData() : nullptr;
+    vtkFieldData* field = own && own->GetNumberOfArrays() > 0 ? own : data ? data->GetFieldData() : nullptr;
     if (vtkDataArray* found = FindEdges(field))
     {
       const int components = found->GetNumberOfComponents();

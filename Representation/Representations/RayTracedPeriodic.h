@@ -10,8 +10,7 @@
 #include <array>
 #include <string>
 
-class vtkBoundingBox;
-class vtkFieldData;
+class vtkDataObject;
 class vtkMatrix4x4;
 
 namespace rtglyphs
@@ -23,10 +22,11 @@ struct RayTracedPeriodic
   std::array<int, 3> Images{};     // that are shown on either side along each edge
 
   /**
-   * The images in the data's coordinates. `field` may have the edges, else they are those of `box`. Where there is a
-   * `problem`, which is to be reported, there are none.
+   * The images in the data's coordinates, of a RayTracedTree of points (null: none). The field data of it, or of
+   * `data`, may have the edges, else they are those of the points' bounds. `together`: all ranks ask at once, each of
+   * which has a part of the data. Where there is a `problem`, which is to be reported, there are none.
    */
-  rtg::PeriodicImages Make(vtkFieldData* field, const vtkBoundingBox& box, std::string& problem) const;
+  rtg::PeriodicImages Make(vtkDataObject* points, vtkDataObject* data, bool together, std::string& problem) const;
 
   /**
    * Whether a field array of that name and number of values has the edges.

@@ -446,35 +446,14 @@ void vtkRayTracedRepresentation::ReportAnew(const std::string& problem, std::str
 }
 
 //----------------------------------------------------------------------------
-// In the data's coordinates, of a RayTracedTree of points; null: none. `together`: all ranks ask at once, each of which
-// has a part of the data.
 rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkDataObject* points, vtkDataObject* data, bool together)
 {
-  if (!this->Periodic.Boundary)
-  {
-    return {};
-  }
-  vtkBoundingBox box;
-  if (points)
-  {
-    rtglyphs::RayTracedTree::ForEach(points,
-      [&box](vtkPolyData* leaf)
-      {
-        if (leaf->GetNumberOfPoints() > 0)
-        {
-          box.AddBounds(leaf->GetBounds());
-        }
-      });
-  }
-  if (together)
-  {
-    box = rtglyphs::RayTracedRanks::Union(box);
-  }
   std::string problem;
-  vtkFieldData* own = points ? points->GetFieldData() : nullptr;
-  vtkFieldData* field = own && own->GetNumberOfArrays() > 0 ? own : data ? data->GetFieldData() : nullptr;
-  const rtg::PeriodicImages images = this->Periodic.Make(field, box, problem);
-  this->ReportAnew(problem, this->PeriodicProblem);
+  const rtg::PeriodicImages images = this->Periodic.Make(points, data, together, problem);
+  if (this->Periodic.Boundary)
+  {
+    this->ReportAnew(problem, this->PeriodicProblem);
+  }
   return images;
 }
 
@@ -645,7 +624,7 @@ void vtkRayTracedRepresentation::SetGlyphShape(int shape)
 {
   if (!rtglyphs::GlyphShapes::IsKnown(shape))
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 19.");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of " << rtglyphs::GlyphShapes::Known << ".");
     return;
   }
   this->Glyphs.GlyphShape = shape;
@@ -684,20 +663,6 @@ void vtkRayTracedRepresentation::SetDataSummary(const double numbers[11])
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetGlyphMode(int mode)
-{
-  this->Glyphs.Settings.Mask.On = mode > 0;
-  this->Glyphs.Settings.Mask.Mode = std::max(mode - 1, 0);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetGlyphLegend(int place)
-{
-  this->Glyphs.LegendStyle.On = place > 0;
-  this->Glyphs.LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetGlyphSizeRange(double least, double most)
 {
   rtglyphs::GlyphSizing& sizing = this->Glyphs.Settings.Sizing;
@@ -712,21 +677,9 @@ void vtkRayTracedRepresentation::SetGlyphSizeRange(double least, double most)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetGlyphExponents(double r, double s, double t)
-{
-  // NaN makes no glyph, as zero does.
-  this->Glyphs.Settings.Exponents[0] = rtglyphs::RayTracedNumbers::NumberOr(r, 0.0);
-  this->Glyphs.Settings.Exponents[1] = rtglyphs::RayTracedNumbers::NumberOr(s, 0.0);
-  this->Glyphs.Settings.Exponents[2] = rtglyphs::RayTracedNumbers::NumberOr(t, 0.0);
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetTable(bool sourceIndexing, bool useSourceTableTree)
 {
-  if (this->Glyphs.SourceIndexing != sourceIndexing || this->Glyphs.UseSourceTableTree != useSourceTableTree)
-  {
-    this->Glyphs.SourceIndexing = sourceIndexing;
-    this->Glyphs.UseSourceTableTree = useSourceTableTree;
-    this->MarkModified(); // the meshes must be gathered again
-  }
+  const bool changed = std::exchange(this->Glyphs.SourceIndexing, sourceIndexing) != sourceIndexing;
+  const bool other = std::exchange(this->Glyphs.UseSourceTableTree, useSourceTableTree) != useSourceTableTree;
+  this->GatherIf(changed || other); // the meshes
 }

@@ -191,7 +191,7 @@ public:
    * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
    * its corner and 1. Default is none, a number that fits, white.
    */
-  void SetGlyphLegend(int place);
+  void SetGlyphLegend(int place) { this->Glyphs.SetLegend(place); }
   void SetGlyphLegendValue(double value)
   {
     this->Glyphs.LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0);
@@ -220,7 +220,7 @@ public:
    * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, and an array that overrides them, default none. See
    * GlyphInstanceBuilder.
    */
-  void SetGlyphExponents(double r, double s, double t);
+  void SetGlyphExponents(double r, double s, double t) { this->Glyphs.SetExponents({ r, s, t }); }
   void SetGlyphExponentArray(const char* name) { this->SetArray(this->Glyphs.Settings.ExponentArray, name); }
   ///@}
 
@@ -283,7 +283,7 @@ public:
   /**
    * Shows only some of the glyphs; see GlyphMask for modes and defaults. 0: all, else its mode and 1.
    */
-  void SetGlyphMode(int mode);
+  void SetGlyphMode(int mode) { this->Glyphs.SetMode(mode); }
   void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.Settings.Mask.MaximumNumberOfGlyphs = number; }
   void SetGlyphStride(int stride) { this->Glyphs.Settings.Mask.Stride = stride; }
   ///@}

@@ -51,11 +51,9 @@ vtkSMRayTracedArrayListDomain* ScaleArrays(vtkSMProxy* glyphs)
 // Shapes whose surfaces GlyphTensorColoring colors; empty: none, or no array.
 std::string TensorsOf(vtkSMProxy* glyphs, int shape)
 {
-  const bool tensors = shape == Shapes::CONFIDENCE_ELLIPSOID ||
-    (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
-    (shape >= Shapes::SPHERICAL_HARMONICS && shape <= Shapes::PRINCIPAL_AXES);
-  return !tensors ? std::string()
-                  : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
+  return !Shapes::IsColored(shape)
+    ? std::string()
+    : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
 }
 
 // NONE: directions do.

@@ -1,5 +1,6 @@
 #include "RayTracedDefault.h"
 
+#include "GlyphKeptGuess.h"
 #include "RayTracedDomains.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
@@ -191,8 +192,7 @@ bool RenewAll(vtkSMProxy* proxy, Where where)
   return renewed;
 }
 
-// Over time tubes keep their radius, unless the lines, or the values that scale it, become more than 2.5 times as
-// large, as GlyphKeptGuess has it.
+// Over time tubes keep their radius, unless the lines, or the values that scale it, become that much larger.
 bool RenewRadius(vtkSMProxy* display)
 {
   vtkSMProperty* radius = display->GetProperty("TubeRadius");
@@ -201,13 +201,14 @@ bool RenewRadius(vtkSMProxy* display)
   {
     return false;
   }
+  constexpr double mostExcess = rtglyphs::GlyphKeptGuess::mostExcess;
   auto suggested = vtk::TakeSmartPointer(radius->NewInstance());
   suggested->Copy(radius);
   domain->SetDefaultValues(suggested, /*use_unchecked_values=*/false);
   const double ratio = vtkSMPropertyHelper(suggested).GetAsDouble() / vtkSMPropertyHelper(radius).GetAsDouble();
   const char* array = vtkSMPropertyHelper(display, "TubeRadiusArray").GetAsString();
   const bool scaled = array && strcmp(array, "None") != 0;
-  return (scaled ? 2.5 * ratio < 1.0 : ratio > 2.5) && RenewOne(radius, Where::Everywhere);
+  return (scaled ? mostExcess * ratio < 1.0 : ratio > mostExcess) && RenewOne(radius, Where::Everywhere);
 }
 }
 

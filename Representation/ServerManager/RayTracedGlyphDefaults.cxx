@@ -201,8 +201,7 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
 {
   if (name == "GlyphLocation")
   {
-    glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent); // lists its arrays
-    this->ChooseArrays(glyphs, Where::Lost);
+    this->ChooseArrays(glyphs, Where::Lost); // of the lists that RayTracedDefault has brought up to date
   }
   // While the display is made ParaView changes them, and what another client sets comes with its ScaleFactorFromData.
   if (this->Choosing || !this->InView || rtglyphs::RayTracedSuggestion::IsTaking() ||
@@ -402,8 +401,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   };
   using Shapes = rtglyphs::GlyphShapes;
   const int shape = static_cast<int>(number("GlyphShape"));
-  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
-    (shape >= Shapes::REYNOLDS && shape <= Shapes::PRINCIPAL_AXES) || shape == Shapes::CONFIDENCE_ELLIPSOID;
+  const bool tensors = Shapes::IsColored(shape) && shape != Shapes::SPHERICAL_HARMONICS;
   const bool formed = tensors || Shapes::IsUncertain(shape);
   if (formed || shape == Shapes::SPHERICAL_HARMONICS)
   {
@@ -428,7 +426,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
     sentences.emplace_back("UseGlyphTable has no effect: choose a GlyphTableIndexArray");
   }
   if (tensors && vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt() == rtglyphs::GlyphTensors::RADIUS &&
-    (shape < Shapes::SPHERICAL_HARMONICS || shape > Shapes::FOURTH_ORDER_TENSOR))
+    !Shapes::IsPolynomial(shape))
   {
     sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for glyphs of direction");
   }
@@ -442,7 +440,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   }
   const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
   const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
-  const bool own = coloring.GetAsInt() != 0 && (tensors || shape == Shapes::SPHERICAL_HARMONICS);
+  const bool own = coloring.GetAsInt() != 0 && Shapes::IsColored(shape);
   const bool directions = number("GlyphDirectionColoring") != 0.0;
   const char* color = own ? coloring.GetAsString() : directions ? "direction" : array;
   if (color && color[0]) // null: a number that is none of the enumeration's

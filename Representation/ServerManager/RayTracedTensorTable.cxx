@@ -1,6 +1,7 @@
 #include "RayTracedTensorTable.h"
 
 #include "DataSummary.h"
+#include "GlyphShapes.h"
 #include "GlyphTensors.h"
 #include "RayTracedGlyphDefaults.h"
 #include "vtkNew.h"
@@ -16,18 +17,20 @@
 
 namespace
 {
+using Shapes = rtglyphs::GlyphShapes;
+
 // Array and number that visible glyphs are colored by; empty: none.
 std::string NumberOf(vtkSMProxy* glyphs)
 {
   auto* local = vtkRayTracedRepresentation::SafeDownCast(glyphs->GetClientSideObject());
   const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
   const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
-  const bool tensor = (shape >= 6 && shape <= 8) || shape == 15;
-  const bool polynomial = shape >= 12 && shape <= 14;
-  const bool number = polynomial ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
-                                 : tensor && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
+  const bool tensor = Shapes::IsTensor(shape) || shape == Shapes::PRINCIPAL_AXES;
+  const bool number = Shapes::IsPolynomial(shape) ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
+                                                  : tensor && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
   const char* array =
-    vtkSMPropertyHelper(glyphs, shape == 12 ? "GlyphHarmonicsArray" : "GlyphTensorArray").GetAsString();
+    vtkSMPropertyHelper(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray")
+      .GetAsString();
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
   const bool shown = local && local->GetVisibility() &&
     rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && array &&
