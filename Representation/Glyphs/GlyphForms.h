@@ -40,8 +40,7 @@ public:
     std::string Array;                    // empty or "None": none
     int Layout = GlyphTensors::VTK_ORDER; // of tensors of second order
     RayTracedChoice<rtg::HarmonicsBasis, rtg::HarmonicsBasis::MRtrix3, rtg::HarmonicsBasis::Orthonormal> Basis;
-    bool Each = false; // all glyphs have one size
-    int Coloring = 0;  // GlyphTensors::SIGN or RADIUS count
+    int Coloring = 0; // GlyphTensors::SIGN or RADIUS count
 
     bool operator==(const Settings&) const = default;
 
@@ -80,11 +79,6 @@ public:
    * The largest |f| of all tuples in units of the array; 0: there is none.
    */
   static double LargestRadius(vtkDataArray* array, const Settings& settings);
-
-  /**
-   * Factor of the size of a glyph besides that of its unit glyph: the largest |f|, or 1 with Each.
-   */
-  double Magnitude(const rtg::FormExtent& extent) const { return this->How.Each ? 1.0 : extent.radius; }
 
 private:
   // Of the polynomial that a point shows.

@@ -18,7 +18,6 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::InRange() const
   PutInRange(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
   PutInRange(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
   PutInRange(s.Tensors.Confidence, 0.01, 0.9999, standard.Tensors.Confidence);
-  PutInRange(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
   return s;
 }
 
@@ -75,10 +74,6 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
   {
     settings.RadiusArray.clear();
   }
-  if (rtglyphs::RayTracedArrays::IsNone(settings.RadiusArray))
-  {
-    settings.RadiusFactor = none.RadiusFactor;
-  }
   settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
   // Of polynomials each point of the surface has a direction.
   settings.DirectionColoring = settings.Forms.On ? settings.DirectionColoring : none.DirectionColoring;
@@ -120,7 +115,7 @@ double rtglyphs::GlyphSettings::Width(double radius) const
 {
   const double arrow = this->Arrow.shaftRadius > 0.0f ? this->Arrow.shaftRadius : this->Arrow.tipRadius;
   const double unit = this->Shape == rtg::Shape::Arrow && arrow > 0.0 ? arrow : 0.5;
-  return std::abs(radius * this->RadiusFactor) / unit;
+  return std::abs(radius) / unit;
 }
 
 //----------------------------------------------------------------------------

@@ -73,7 +73,6 @@ struct GlyphSettings : GlyphScaling
   double ScaleFactor = 1.0;   // world units
   glm::dvec3 UnitSize{ 1.0 }; // of the shape as its source makes it, in unit glyphs
   std::string RadiusArray;    // across the glyph's x axis, instead of the scale; empty or "None": none
-  double RadiusFactor = 1.0;  // what it is multiplied by
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
   RayTracedChoice<OrientationModes, DIRECTION, QUATERNION> OrientationMode;

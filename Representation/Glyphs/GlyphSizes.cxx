@@ -76,7 +76,7 @@ glm::dvec3 rtglyphs::GlyphMagnitudes::Bound(vtkIdType point, Tuples& tuples, rtg
   if (this->Forms)
   {
     form = this->Forms->MeasureRoughly(tuples.Forms, point);
-    scale *= form.radius > 0.0 ? this->Scaling.Sizing(this->Forms->Magnitude(form)) : 0.0;
+    scale *= form.radius > 0.0 ? this->Scaling.Sizing(form.radius) : 0.0;
   }
   return glm::abs(scale);
 }

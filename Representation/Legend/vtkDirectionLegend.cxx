@@ -33,13 +33,6 @@ void vtkDirectionLegend::SetPlace(int place)
 }
 
 //----------------------------------------------------------------------------
-void vtkDirectionLegend::AddTo(vtkPVRenderView* view)
-{
-  this->Superclass::AddTo(view);
-  this->Scene = view->GetRenderer();
-}
-
-//----------------------------------------------------------------------------
 bool vtkDirectionLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
 {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
@@ -88,8 +81,6 @@ bool vtkDirectionLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
   box.AddPoint(-radius, -radius, 0.0);
   box.AddPoint((signs ? 3.2 : 1.0) * radius, radius, 0.0);
 
-  const double* behind = this->Scene ? this->Scene->GetBackground() : renderer->GetBackground();
-  const double ink = 0.3 * behind[0] + 0.6 * behind[1] + 0.1 * behind[2] > 0.5 ? 0.0 : 1.0;
-  this->SetWords(signs ? "front, back" : "", { { ink, ink, ink } });
+  this->SetWords(signs ? "front, back" : "");
   return true;
 }

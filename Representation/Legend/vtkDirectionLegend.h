@@ -10,9 +10,6 @@
 
 #include "DirectionColors.h"
 #include "vtkRayTracedLegend.h"
-#include "vtkWeakPointer.h"
-
-class vtkRenderer;
 
 class vtkDirectionLegend : public vtkRayTracedLegend
 {
@@ -30,8 +27,6 @@ public:
    */
   void SetColoring(int kind) { this->Coloring = kind; }
 
-  void AddTo(vtkPVRenderView* view) override;
-
 protected:
   vtkDirectionLegend() { this->Corner = UPPER_RIGHT; }
   ~vtkDirectionLegend() override = default;
@@ -41,7 +36,6 @@ protected:
 private:
   bool On = true;
   int Coloring = rtglyphs::DirectionColors::NONE;
-  vtkWeakPointer<vtkRenderer> Scene; // behind the legend
 };
 
 #endif

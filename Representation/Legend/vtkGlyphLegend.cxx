@@ -3,7 +3,6 @@
 #include "GlyphMaker.h"
 #include "GlyphTessellatedSet.h"
 #include "vtkActor.h"
-#include "vtkActor2D.h"
 #include "vtkActorCollection.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -13,7 +12,6 @@
 #include "vtkPVRenderView.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkProperty2D.h"
 #include "vtkRenderer.h"
 #include "vtkViewport.h"
 #include "vtkWindow.h"
@@ -258,7 +256,6 @@ bool vtkGlyphLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
   {
     std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
   }
-  this->SetWords((alike ? text : this->Name + " " + text).c_str(), this->Look.Color);
-  this->Actor->GetProperty()->SetColor(this->Look.Color.data());
+  this->SetWords((alike ? text : this->Name + " " + text).c_str());
   return true;
 }

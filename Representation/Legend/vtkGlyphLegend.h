@@ -34,7 +34,6 @@ public:
     bool On = false;
     double Value = 0.0;
     int Corner = LOWER_LEFT;
-    std::array<double, 3> Color{ 1.0, 1.0, 1.0 };
 
     bool operator==(const Style&) const = default;
   };

@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty2D.h"
 #include "vtkRect.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -101,6 +102,7 @@ vtkRayTracedLegend::~vtkRayTracedLegend() = default;
 void vtkRayTracedLegend::AddTo(vtkPVRenderView* view)
 {
   view->GetNonCompositedRenderer()->AddViewProp(this);
+  this->Scene = view->GetRenderer();
 }
 
 //----------------------------------------------------------------------------
@@ -110,10 +112,13 @@ void vtkRayTracedLegend::RemoveFrom(vtkPVRenderView* view)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedLegend::SetWords(const char* words, const std::array<double, 3>& color)
+void vtkRayTracedLegend::SetWords(const char* words)
 {
+  const double* behind = this->Scene->GetBackground();
+  const double ink = 0.3 * behind[0] + 0.6 * behind[1] + 0.1 * behind[2] > 0.5 ? 0.0 : 1.0;
   this->Text->SetInput(words);
-  this->Text->GetTextProperty()->SetColor(color[0], color[1], color[2]);
+  this->Text->GetTextProperty()->SetColor(ink, ink, ink);
+  this->Actor->GetProperty()->SetColor(ink, ink, ink);
 }
 
 //----------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 
 #include "vtkNew.h"
 #include "vtkProp.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <glm/glm.hpp>
@@ -55,10 +56,11 @@ protected:
   ~vtkRayTracedLegend() override;
 
   /**
-   * Sets the drawing, in pixels, and its box, and the words, which may be none. False: there is nothing to show.
+   * Sets the drawing, in pixels, and its box, and the words, which may be none; both are black or white, whichever
+   * stands out from the background, unless the drawing has colors. False: there is nothing to show.
    */
   virtual bool Draw(vtkViewport* viewport, vtkBoundingBox& box) = 0;
-  void SetWords(const char* words, const std::array<double, 3>& color);
+  void SetWords(const char* words);
 
   int Corner = LOWER_LEFT;
   vtkNew<vtkPolyData> Drawing;
@@ -71,6 +73,7 @@ private:
 
   vtkNew<vtkPolyDataMapper2D> Mapper;
   vtkNew<vtkTextActor> Text;
+  vtkWeakPointer<vtkRenderer> Scene; // behind the legend
   bool Shows = false;
   Box Covered{}; // while it shows
 };

@@ -302,8 +302,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
     vtkProperty* property = layer.Actor->GetProperty();
     if (beside[i].Tensors.Axes)
     {
-      property->SetAmbientColor(this->TensorAxisColor.data());
-      property->SetDiffuseColor(this->TensorAxisColor.data());
+      property->SetColor(0.95, 0.8, 0.2); // TensorAxis
     }
     else
     {
@@ -326,8 +325,7 @@ void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& setting
   const std::string scales =
     settings.Scaling && !rtglyphs::RayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
-    : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
-                                                : scales;
+    : settings.Forms.On ? settings.Forms.Array : scales;
   const Values& summary = this->Common.Summary;
   vtkNew<vtkMatrix4x4> matrix;
   this->Common.Parts.Actor->GetMatrix(matrix);

@@ -43,7 +43,6 @@ public:
   std::string HarmonicsArray, ShellArray;
   double TrailFading = 0.0;
   bool TensorAxis = false;
-  std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   ///@}
 

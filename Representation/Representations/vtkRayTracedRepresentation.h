@@ -179,26 +179,18 @@ public:
   void SetGlyphScaleFunction(int function) { this->Glyphs.Settings.Sizing.Function = function; }
   void SetGlyphSizeRange(double least, double most);
   void SetGlyphRadiusArray(const char* name) { this->Glyphs.Settings.RadiusArray = OrEmpty(name); }
-  void SetGlyphRadiusFactor(double factor)
-  {
-    this->Glyphs.Settings.RadiusFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0);
-  }
   void SetGlyphAnchor(int anchor) { this->Glyphs.Settings.Anchor = anchor; }
   ///@}
 
   ///@{
   /**
    * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
-   * its corner and 1. Default is none, a number that fits, white.
+   * its corner and 1. Default is none, a number that fits.
    */
   void SetGlyphLegend(int place) { this->Glyphs.SetLegend(place); }
   void SetGlyphLegendValue(double value)
   {
     this->Glyphs.LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0);
-  }
-  void SetGlyphLegendColor(double red, double green, double blue)
-  {
-    this->Glyphs.LegendStyle.Color = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
   ///@}
 
@@ -238,9 +230,8 @@ public:
   /**
    * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
    * fraction of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
-   * superquadrics (in [0, 10], default 3), the least thickness as a fraction of the longest axis (in [0.001, 1],
-   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of
-   * tensors are colored by, and by its ends GlyphTensors::SIGN.
+   * superquadrics (in [0, 10], default 3), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and
+   * the table that numbers of tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Settings.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout)
@@ -249,35 +240,26 @@ public:
   }
   void SetGlyphConfidence(double share) { this->Glyphs.Settings.Tensors.Confidence = share; }
   void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Settings.Tensors.Sharpness = sharpness; }
-  void SetGlyphTensorThickness(double share) { this->Glyphs.Settings.Tensors.Thickness = share; }
   void SetGlyphTensorColoring(int coloring) { this->Glyphs.Settings.Tensors.Coloring = coloring; }
   void SetGlyphTensorLookupTable(vtkScalarsToColors* table) { this->Glyphs.TensorTable = table; }
   ///@}
 
   ///@{
   /**
-   * The coefficients of spherical harmonics, their basis (rtg::HarmonicsBasis, default 0, MRtrix3's), and whether each
-   * glyph of a polynomial has the same size (1) or all have one scale (0, default).
+   * The coefficients of spherical harmonics, and their basis (rtg::HarmonicsBasis, default 0, MRtrix3's).
    */
   void SetGlyphHarmonicsArray(const char* name) { this->SetArray(this->Glyphs.HarmonicsArray, name); }
   void SetGlyphHarmonicsBasis(int basis)
   {
     this->Glyphs.Settings.Forms.Basis = static_cast<rtg::HarmonicsBasis>(basis);
   }
-  void SetGlyphHarmonicsScaling(int scaling) { this->Glyphs.Settings.Forms.Each = scaling == 1; }
   ///@}
 
-  ///@{
   /**
-   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors), and
-   * their color. Default is off, yellow.
+   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors). Default
+   * is off.
    */
   void SetGlyphTensorAxis(bool on) { this->Glyphs.TensorAxis = on; }
-  void SetGlyphTensorAxisColor(double red, double green, double blue)
-  {
-    this->Glyphs.TensorAxisColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
-  }
-  ///@}
 
   ///@{
   /**

@@ -35,23 +35,15 @@ public:
    */
   void SetShadingMode(int mode) { this->Set(this->Settings.ShadingMode, mode); }
   void SetAmbientOcclusionRadius(double radius) { this->Set(this->Settings.AmbientOcclusionRadius, radius); }
-  void SetSecondaryRays(int rays) { this->Set(this->Settings.SecondaryRays, rays); }
-  void SetMaximumBounces(int bounces) { this->Set(this->Settings.MaximumBounces, bounces); }
   void SetIllumination(int kind) { this->Set(this->Settings.Illumination, kind); }
   void SetShadows(bool cast) { this->Set(this->Settings.Shadows, cast); }
   void SetShadowSoftness(double degrees) { this->Set(this->Settings.ShadowSoftness, degrees); }
   void SetGroundShadow(int kind) { this->Set(this->Settings.GroundShadow, kind); }
-  void SetLightIntensity(double intensity) { this->Set(this->Settings.LightIntensity, intensity); }
-  void SetEnvironmentColor(double red, double green, double blue)
-  {
-    this->Set(this->Settings.EnvironmentColor, { red, green, blue });
-  }
   void SetToneMapping(int kind) { this->Set(this->Settings.ToneMapping, kind); }
   void SetExposure(double stops) { this->Set(this->Settings.Exposure, stops); }
   void SetDenoising(int when) { this->Set(this->Settings.Denoising, when); }
   void SetSamplesPerPixel(int samples) { this->Set(this->Settings.SamplesPerPixel, samples); }
   void SetSamplesPerRender(int samples) { this->Set(this->Settings.SamplesPerRender, samples); }
-  void SetInteractiveReduction(int step) { this->Set(this->Settings.InteractiveReduction, step); }
   void SetOutlineWidth(double pixels) { this->Set(this->Settings.OutlineWidth, pixels); }
   void SetOutlineColor(double red, double green, double blue)
   {

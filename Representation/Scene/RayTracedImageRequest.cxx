@@ -27,18 +27,17 @@ rtg::TraceSettings ToTraceSettings(const rtglyphs::RayTracedImageSettings& from)
   if (settings.shading == rtg::Shading::AmbientOcclusion)
   {
     settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
-    settings.occlusionRays = static_cast<std::uint32_t>(from.SecondaryRays > 0 ? from.SecondaryRays : 8);
+    settings.occlusionRays = 8;
   }
   if (settings.shading == rtg::Shading::PathTracing)
   {
-    settings.paths = static_cast<std::uint32_t>(from.SecondaryRays > 0 ? from.SecondaryRays : 4);
-    settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
+    settings.paths = 4;
   }
-  if (settings.shading != rtg::Shading::Local)
+  if (settings.shading != rtg::Shading::Local &&
+    from.Illumination == rtglyphs::RayTracedImageSettings::LightsOfView)
   {
-    settings.lightIntensity = static_cast<float>(from.LightIntensity);
-    settings.environmentColour =
-      glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
+    settings.lightIntensity = 0.0f;
+    settings.lightFraction = 1.0f;
   }
   if (from.ToneMapping != rtglyphs::RayTracedImageSettings::AutomaticToneMapping)
   {
@@ -80,7 +79,8 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings.width = width;
   view.settings.height = height;
   // Headlight and light kit replace environment light, which path tracing has.
-  const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
+  const bool surrounded = view.settings.shading == rtg::Shading::PathTracing &&
+    settings.Illumination != rtglyphs::RayTracedImageSettings::LightsOfView;
   const bool soft = settings.Shadows || view.settings.shading == rtg::Shading::PathTracing;
   view.lights = rtglyphs::RayTracedRendererState::LightsOf(
     renderer, soft ? settings.ShadowSoftness : 0.0, /*placedOnly=*/surrounded);
@@ -132,7 +132,6 @@ rtglyphs::RayTracedImageRequest::EffortOf(const rtglyphs::RayTracedImageSettings
   effort.seconds = stepwise ? StepSeconds() / frame.Images : 0.0;
   effort.firstSeconds = firstSeconds / frame.Images;
   effort.preview = frame.Interactive;
-  effort.pixelStep = static_cast<std::uint32_t>(settings.InteractiveReduction);
   effort.exact = frame.Capture || settings.SamplesPerRender == 0;
   effort.denoising = static_cast<rtg::Denoising>(settings.Denoising);
   effort.features = frame.Features;

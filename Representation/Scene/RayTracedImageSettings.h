@@ -13,16 +13,12 @@ struct RayTracedImageSettings
 {
   int ShadingMode = 0;                 // as rtg::Shading, in [0, 2]
   double AmbientOcclusionRadius = 0.0; // world units, >= 0; 0: unbounded
-  int SecondaryRays = 0;               // a sample, in [0, 64]; 0: what suits the shading mode
-  int MaximumBounces = 10;             // of path tracing, in [1, 1000]
-  int Illumination = 0;                // environment light: RayTracedStudioLight or uniform
-  static constexpr int StudioLight = 0, UniformLight = 1;
+  int Illumination = 0;                // environment light: RayTracedStudioLight, uniform, or none
+  static constexpr int StudioLight = 0, UniformLight = 1, LightsOfView = 2;
   bool Shadows = false;        // of lights, where the shading mode has a choice
   double ShadowSoftness = 2.0; // degrees, in [0, 45]: angular radius of lights that have no radius
   int GroundShadow = 0;        // the plane that catches shadows: none, or across
   static constexpr int NoGround = 0, GroundBelowView = 1, GroundAcrossX = 2, GroundAcrossZ = 4;
-  double LightIntensity = 1.0;                             // in [0, 1e6]
-  std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
   int ToneMapping = 3;                                     // as rtg::ToneMapping, or
   static constexpr int AutomaticToneMapping = 3;           // Neutral where the image is light
   double Exposure = 0.0;                                   // stops, in [-100, 100]
@@ -30,7 +26,6 @@ struct RayTracedImageSettings
   int SamplesPerPixel = 16;                                // of a finished image, in [1, 65536]
   int SamplesPerRender = 0;                                // in [-1, 65536]; 0: all
   static constexpr int WhatTimeAllows = -1;                // the window renders until the image is finished
-  int InteractiveReduction = 2;                            // every n-th pixel while the camera moves, in [1, 16]
   double OutlineWidth = 0.0;                               // pixels, in [0, 64]
   std::array<double, 3> OutlineColor{};                    // in [0, 1]
   double DepthCue = 0.0;                                   // in [0, 1]

@@ -30,7 +30,7 @@ KERNELS = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds", "deno
 EDITS = {
     "Pickable": (0, 1), "Opacity": (0.5, 1.0), "SpecularPower": (20.0, 100.0), "Specular": (0.5, 0.0), "Ambient": (0.2, 0.0),
     "SamplesPerPixel": (2, 1), "ShadingMode": ("Ambient Occlusion", "Local"), "Exposure": (1.0, 0.0),
-    "ToneMapping": ("Filmic", "None"), "InteractiveReduction": (3, 2), "GlyphTensorSharpness": (2.0, 3.0),
+    "ToneMapping": ("Filmic", "None"), "GlyphTensorSharpness": (2.0, 3.0),
     "ArrowReferenceMagnitude": (2.0, 0.0), "MaximumNumberOfGlyphs": (4000, 5000),
 }
 #: seconds that an edit may take in our code

@@ -100,7 +100,7 @@ def chains(data, folder):
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
     strong = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["CELLS", "force"], LowerThreshold=40.0, UpperThreshold=1e9)
     thick = pv.Calculator(Input=strong, AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", samples=48, SecondaryRays=4, bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
+    figure(thick, "Tubes", samples=48, bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
            GroundShadow="Below", camera=((8.6, -15.2, 13.0), (14.2, 13.5, 2.2)), angle=25.0, lens=1.0)
 
 
@@ -126,7 +126,7 @@ def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
     share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="shares_X+shares_Y")
-    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.15,
+    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphScaleFunction="All the Same", ScaleFactor=1.15,
            GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((20.0, -14.0, 20.0), (9.6, 9.3, 1.5)), angle=30.0)
 
 

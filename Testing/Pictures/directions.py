@@ -31,7 +31,7 @@ def crystals(view):
     across = numpy.cross((0.0, 0.0, 1.0), toward) / numpy.linalg.norm(toward[:2])
     places = numpy.array([(1.15 * i - 1.725) * across for i in range(len(CRYSTALS))])
     shown = simulation.show(source(places, stiffness=[stiffness(*constants) for _, constants in CRYSTALS]), view, "Fourth-Order Tensor",
-                            GlyphTensorArray="stiffness", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.0, Orient=0,
+                            GlyphTensorArray="stiffness", GlyphScaleFunction="All the Same", ScaleFactor=1.0, Orient=0,
                             GlyphDirectionColoring="Axes", Ambient=0.2)
     simulation.look(view, 6.0 * toward, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     view.CameraParallelProjection, view.CameraParallelScale = 1, 0.6

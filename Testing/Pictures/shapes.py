@@ -42,7 +42,7 @@ def main():
     for name in names:
         session.assign_shape(shown, name)
         shown.GlyphTensorArray = ARRAYS.get(name, "signs")
-        shown.GlyphHarmonicsArray, shown.GlyphHarmonicsScaling = "harmonics", "Each Alike"
+        shown.GlyphHarmonicsArray, shown.GlyphScaleFunction = "harmonics", "All the Same"
         shown.GlyphExponents = [3.0, 1.2, 1.2] if name == "Nested Superquadric" else [6.0, 6.0, 1.2]
         shown.GlyphAnchor = "Center"
         shown.SelectOrientationVectors = "small" if name == "Split Vector" else "v"

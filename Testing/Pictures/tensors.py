@@ -43,7 +43,7 @@ def flow(view, _, __):
     z, o = numpy.zeros_like(x), numpy.zeros_like(x)
     gradient = numpy.array([o, -numpy.sin(y), numpy.cos(z), numpy.cos(x), o, -numpy.sin(z), -numpy.sin(x), numpy.cos(y), o]).T
     show(source(numpy.array([x, y, z]).T, gradient=gradient), view, "Signed Tensor Superquadric", GlyphTensorArray="gradient",
-         GlyphTensorColoring="Sign", GlyphTensorAxis=1, GlyphTensorAxisColor=[0.1, 0.1, 0.1], ScaleFactor=0.4)
+         GlyphTensorColoring="Sign", GlyphTensorAxis=1, ScaleFactor=0.4)
     look(view, (2.9, -2.6, 12.2), (2.9, 2.75, 0.0), (0.0, 1.0, 0.0))
 
 
@@ -65,7 +65,7 @@ def split_vectors(view, _, __):
         field = field + 3.0 * r * (r @ m)[:, None] / d ** 5 - m / d ** 3
     power = numpy.floor(numpy.log10(numpy.linalg.norm(field, axis=1)))
     shown = show(source(points, field=field, power=power), view, "Split Vector", SelectOrientationVectors="field", ScaleFactor=0.55, RenderingQuality="Balanced", GlyphLegend="Lower Right",
-                 GlyphLegendColor=[0.0, 0.0, 0.0], **{"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.035, "GlyphType.TipRadius": 0.09})
+                 **{"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.035, "GlyphType.TipRadius": 0.09})
     colored_by(shown, "power", power.min() - 1.0, power.max())  # without Viridis' darkest
     look(view, (0.0, -2.6, 8.6), (0.0, -0.12, 0.0), (0.0, 1.0, 0.0))
 

@@ -27,8 +27,7 @@ def main():
     session.load()
     checks = Checks()
     view = session.view(240, 180)
-    shown = session.glyphs(cloud(2000), view, Orient=0, ScaleFactor=0.15, ShadingMode="Ambient Occlusion",
-                           SecondaryRays=8)
+    shown = session.glyphs(cloud(2000), view, Orient=0, ScaleFactor=0.15, ShadingMode="Ambient Occlusion")
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 7.0))
     pv.Render(view)  # programs are compiled

@@ -135,11 +135,8 @@ def settings(case):
     for name, mode, bad, good, before in (
             ("SamplesPerPixel", "Ambient Occlusion", (0, -7), 1, 4),
             ("AmbientOcclusionRadius", "Ambient Occlusion", (-1.0, nothing), 0.0, 0.2),
-            ("SecondaryRays", "Ambient Occlusion", (8, -3), 0, 4), ("SecondaryRays", "Path Tracing", (4, -5), 0, 3),
-            ("LightIntensity", "Path Tracing", (-2.0,), 0.0, 0.5), ("LightIntensity", "Path Tracing", (nothing,), 1.0, 0.5),
-            ("MaximumBounces", "Path Tracing", (0, -4), 1, 4), ("Exposure", "Local", (1e9,), 100.0, 1.0),
-            ("Exposure", "Local", (-1e9,), -100.0, 1.0), ("Exposure", "Local", (nothing,), 0.0, 1.0),
-            ("InteractiveReduction", "Local", (0, -2), 1, 2)):
+            ("Exposure", "Local", (1e9,), 100.0, 1.0),
+            ("Exposure", "Local", (-1e9,), -100.0, 1.0), ("Exposure", "Local", (nothing,), 0.0, 1.0)):
         pictures = []
         shown.ShadingMode = mode
         default = getattr(shown, name)

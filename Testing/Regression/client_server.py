@@ -49,7 +49,7 @@ def legends():
     for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphType": session.triangles(pv.Box(XLength=3.0, YLength=0.5))})):
         sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
         shown = session.glyphs(sizes, view, shape, ArrowHeads="Fixed", SelectOrientationVectors="Normals", ScaleMode="Magnitude", SelectScaleArray="size",
-                               ScaleFactor=300.0, GlyphLegend=corner, GlyphLegendValue=0.002, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
+                               ScaleFactor=300.0, GlyphLegend=corner, GlyphLegendValue=0.002, **further)
         session.solid(shown, (1.0, 0.0, 0.0))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)

@@ -106,12 +106,12 @@ def radii(checks, stage):
         "heads alone": ({"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.0, "GlyphType.TipRadius": 0.15, "GlyphType.TipLength": 0.35, "ArrowHeads": "Fixed"},
                         numpy.minimum(lengths, 7 / 6 * thick), thick),
     }
-    data = session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=widths, zero=numpy.array([0.0, 0.02, numpy.nan]))
+    data = session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=1.5 * widths, zero=numpy.array([0.0, 0.02, numpy.nan]))
     view = stage.view
     for name, (properties, long, wide) in cases.items():
         properties = {"ScaleFactor": 1.0, **properties}
         shown = stage.show(data, None, Orient=0, ScaleMode="Magnitude", SelectScaleArray="s",
-                           GlyphRadiusArray="w", GlyphRadiusFactor=1.5, **properties)
+                           GlyphRadiusArray="w", **properties)
         session.solid(shown, (0.9, 0.8, 0.3))
         pv.Render(view)
         found = extents(view, "radii " + name)

@@ -40,7 +40,7 @@ DEFAULT_ROWS = {
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
-SET = {"GlyphShape": "Capsule", "MotionBlur": 1, "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
+SET = {"GlyphShape": "Capsule", "MotionBlur": 1, "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorSharpness": 1.5, "ShutterOpening": "Forward"}
 
 
 def main():

@@ -204,14 +204,14 @@ def sizes(checks, view, random):
     look(view, (0.2, 0.3, 1.0))
     pictures, stage = {}, session.Stage(view)
     for name, properties in {
-            "each": dict(GlyphHarmonicsArray="values", GlyphHarmonicsScaling="Each Alike"),
-            "alike": dict(GlyphHarmonicsArray="alike", GlyphHarmonicsScaling="Each Alike"),
+            "each": dict(GlyphHarmonicsArray="values", GlyphScaleFunction="All the Same"),
+            "alike": dict(GlyphHarmonicsArray="alike", GlyphScaleFunction="All the Same"),
             "common": dict(GlyphHarmonicsArray="values"),
             "scaled": dict(GlyphHarmonicsArray="alike", ScaleMode="Magnitude", SelectScaleArray="fifth"),
             "turned": dict(GlyphShape="Normal Stress", GlyphTensorArray="stress", Orient=1, SelectOrientationVectors="turn",
                            OrientationMode="Quaternion"),
             "of turned": dict(GlyphShape="Normal Stress", GlyphTensorArray="turned")}.items():
-        factor = 0.8 if properties.get("GlyphHarmonicsScaling") else 0.3
+        factor = 0.8 if properties.get("GlyphScaleFunction") else 0.3
         shown = stage.show(data, **{"GlyphShape": "Spherical Harmonics", "ScaleFactor": factor, **properties})
         session.solid(shown, (0.8, 0.8, 0.8))
         pictures[name] = session.capture(view, "harmonics-" + name.replace(" ", "-"))
@@ -236,14 +236,14 @@ def gallery(checks, random):
         sources.append(session.source(session.poly_data(numpy.array([[-1.75 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
         shown.append(session.glyphs(sources[-1], view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", ScaleFactor=0.62,
-                                    GlyphHarmonicsScaling="Each Alike", GlyphDirectionColoring="Axes", GlyphDirectionKey="None"))
+                                    GlyphScaleFunction="All the Same", GlyphDirectionColoring="Axes", GlyphDirectionKey="None"))
     tensors = {"Normal Stress": numpy.array([1.0, -0.7, 0.3, 0.2, 0.5, -0.1]),
                "Fourth-Order Tensor": numpy.array([3.0, 1.2, 1.2, 0, 0, 0, 3.0, 1.2, 0, 0, 0, 3.0, 0, 0, 0, 2.4, 0, 0, 2.4, 0, 2.4])}
     for number, (shape, array) in enumerate(tensors.items()):
         sources.append(session.source(session.poly_data(numpy.array([[1.05 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
         shown.append(session.glyphs(sources[-1], view, shape, GlyphTensorArray="values", ScaleFactor=0.62,
-                                    GlyphHarmonicsScaling="Each Alike", GlyphTensorColoring="Sign"))
+                                    GlyphScaleFunction="All the Same", GlyphTensorColoring="Sign"))
     shown[0].SamplesPerPixel = 8
     image = session.capture(view, "harmonics-gallery")
     for failure in comparison.against_baseline(image, "harmonics-gallery"):

@@ -87,10 +87,10 @@ def out_of_sight(checks):
 
 def two_passes(checks):
     """Opaque and translucent glyphs have an image each; the refinement ends with the slower one."""
-    samples = 12
-    view, shown = balls("Path Tracing", samples, SecondaryRays=24)
+    samples = 36
+    view, shown = balls("Path Tracing", samples)
     other = session.glyphs(cloud(20, 5), view, Orient=0, ScaleFactor=0.1, samples=samples,
-                           ShadingMode="Path Tracing", Opacity=0.5, SecondaryRays=24)
+                           ShadingMode="Path Tracing", Opacity=0.5)
     session.solid(other, (0.2, 0.5, 0.9))
     pv.Render(view)
 

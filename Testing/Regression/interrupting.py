@@ -51,7 +51,7 @@ def scene():
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
     shown = session.glyphs(cloud(1000), view, "Sphere", Orient=0, ScaleFactor=0.15)
     session.solid(shown, (0.9, 0.9, 0.9))
-    shown.ShadingMode, shown.SecondaryRays = "Ambient Occlusion", 4
+    shown.ShadingMode = "Ambient Occlusion"
     session.look(view, (0.0, 0.0, 6.0))
     return view, shown
 

@@ -18,9 +18,9 @@ SHARED = {"Orient", "OrientationMode", "SelectOrientationVectors", "Scaling", "S
           "UseGlyphTable", "GlyphTableIndexArray"}
 #: rows that are there where they have an effect, and not elsewhere; settings add up
 EFFECTS = [("GlyphScaleFunction", seen, settings) for seen, settings in (
-    (True, {"GlyphShape": "Spherical Harmonics", "ScaleMode": "No Data Scaling Off"}), (False, {"GlyphHarmonicsScaling": "Each Alike"}),
+    (True, {"GlyphShape": "Spherical Harmonics", "ScaleMode": "No Data Scaling Off"}), (False, {"GlyphShape": "Glyph Type"}),
     (True, {"ScaleMode": "Magnitude"}), (True, {"GlyphShape": "Capsule"}), (False, {"ScaleMode": "No Data Scaling Off"}))] + [
-    ("GlyphTensorAxisColor", True, {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorAxis": 1}), ("GlyphTensorAxisColor", False, {"GlyphShape": "Capsule"}),
+    ("GlyphTensorAxis", True, {"GlyphShape": "Tensor Ellipsoid"}), ("GlyphTensorAxis", False, {"GlyphShape": "Capsule"}),
     ("AngularVelocityArray", True, {"MotionBlur": 1}), ("AngularVelocityArray", False, {"GlyphShape": "Principal Axes"}),
     ("VelocityArray", True, {}), ("VelocityArray", False, {"VelocityFromPreviousStep": 1}), ("PointIdArray", True, {}), ("PointIdArray", False, {"MotionBlur": 0}),
     ("AngularVelocityArray", False, {"MotionBlur": 1, "GlyphShape": "Capsule", "Representation": "Ray Traced Tubes"})]
@@ -116,7 +116,7 @@ def main():
                 print(what + str(sorted(found)))
                 ours, traced = kind != "Surface", kind != "Surface" and mode == "Path Tracing"
                 checks.equal(what + "ShadingMode", "ShadingMode" in found, ours)
-                checks.equal(what + "MaximumBounces", "MaximumBounces" in found, traced)
+                checks.equal(what + "Illumination", "Illumination" in found, traced)
                 checks.equal(what + "Statistics", panel(shown, "Statistics"), {"RenderStatistics"} if ours else set())
                 checks.equal(what + "rows of other kinds of displays", panel(shown) & OTHERS, set() if ours else OTHERS)
                 material = panel(shown, LIGHTING) & set(MATERIAL)

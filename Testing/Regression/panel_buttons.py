@@ -144,7 +144,7 @@ def animated(checks, view, shown):
     """Numbers follow an animation track, those that hold for a view, too."""
     scene = pv.GetAnimationScene()
     scene.PlayMode, scene.StartTime, scene.EndTime, scene.NumberOfFrames = "Sequence", 0.0, 1.0, 3
-    for name, first, last in (("ScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("GlyphTensorThickness", 0.2, 0.6)):
+    for name, first, last in (("ScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("GlyphTensorSharpness", 0.5, 3.0)):
         track = pv.GetAnimationTrack(name, index=0, proxy=shown)
         frames = [pv.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in ((0.0, first), (1.0, last))]
         track.KeyFrames = frames

@@ -115,7 +115,6 @@ def cluster(view):
     surface.SetRepresentationType("Ray Traced Surface")
     session.solid(surface, (0.9, 0.6, 0.3))
     shown.ShadingMode = "Ambient Occlusion"
-    shown.SecondaryRays = 16
     session.look(view, (20.0, 16.0, 6.0))
     return shown
 

@@ -390,7 +390,7 @@ def schlick(reflectance, cosine):
 
 def light_of_ball(light):
     """The ball shows this light, a function of the cosine between its normal and the direction of view."""
-    @needing(ShadingMode="Path Tracing", Illumination="Uniform", ToneMapping="None", SamplesPerPixel=4, SecondaryRays=8)
+    @needing(ShadingMode="Path Tracing", Illumination="Uniform", ToneMapping="None", SamplesPerPixel=8)
     def claim(change):
         change.changed()
         axis = axes_of(change)

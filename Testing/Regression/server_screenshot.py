@@ -22,7 +22,7 @@ def scene(points, size):
     view = session.view(*size)
     view.RemoteRenderThreshold = client_server.REMOTE
     shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.4,
-                           ShadingMode="Ambient Occlusion", SecondaryRays=8, samples=SAMPLES)
+                           ShadingMode="Ambient Occlusion", samples=SAMPLES)
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 6.0))
     return view, shown

@@ -80,7 +80,7 @@ class Scene:
 def unlit(points):
     """Glyphs that show their colour whatever shines on them, by two shading modes, as floats."""
     view = peeling_view()
-    shown = session.glyphs(points, view, "Sphere", samples=16, Orient=0, ScaleFactor=0.7, LightIntensity=0.0, Ambient=1.0,
+    shown = session.glyphs(points, view, "Sphere", samples=16, Orient=0, ScaleFactor=0.7, Illumination="Lights of the View", Ambient=1.0,
                            Diffuse=0.0, Opacity=0.3)
     session.solid(shown, (0.8, 0.5, 0.2))
     view.Background = [0.0, 0.0, 0.0]

@@ -205,7 +205,7 @@ def translucent(view, checks):
             checks.within("translucent %s, %s: pixels" % (name, ends), int(mask.sum()), 9000, 10 ** 6)
             # Rays that pass by chance meet the same layers: in the mean it is the same picture.
             if ends == "Rounded" and name == "zigzag":
-                stage.settings.add({"ShadingMode": "Path Tracing", "SamplesPerPixel": 16, "LightIntensity": 0.0})
+                stage.settings.add({"ShadingMode": "Path Tracing", "SamplesPerPixel": 16, "Illumination": "Lights of the View"})
                 level = float(session.capture(view, "tubes-translucent-by-chance")[..., 1][mask].mean())
                 checks.within("translucent zigzag by chance: mean level", level, wanted[1] - 1.0, wanted[1] + 1.0)
     stage.close()

@@ -23,7 +23,7 @@ def changes(shown):
 
     return [set_to("Pickable", 0), set_to("Pickable", 1), ("Opacity 1 again", again), set_to("Specular", 0.4),
             set_to("SpecularPower", 20.0), set_to("Ambient", 0.1), set_to("Exposure", 0.5), set_to("SamplesPerPixel", 2),
-            set_to("InteractiveReduction", 3), set_to("MaximumBounces", 5)]
+            set_to("OutlineWidth", 2.0), set_to("Illumination", "Uniform")]
 
 
 def main():

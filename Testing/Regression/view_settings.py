@@ -11,10 +11,9 @@ from checks import Checks, cloud
 SURFACE = "Ray Traced Surface"
 #: what is set, no default among it
 SETTINGS = {
-    "ShadingMode": "Path Tracing", "AmbientOcclusionRadius": 0.5, "SecondaryRays": 4,
-    "MaximumBounces": 3, "Illumination": "Uniform", "Shadows": 1, "ShadowSoftness": 5.0, "GroundShadow": "Below", "OutlineWidth": 1.5, "OutlineColor": [0.1, 0.2, 0.3],
-    "DepthCue": 0.4, "LightIntensity": 0.7, "EnvironmentColor": [0.9, 0.8, 0.7], "ToneMapping": "Filmic", "Exposure": 0.5,
-    "Denoising": "Never", "SamplesPerPixel": 3, "InteractiveReduction": 4}
+    "ShadingMode": "Path Tracing", "AmbientOcclusionRadius": 0.5, "Illumination": "Uniform", "Shadows": 1, "ShadowSoftness": 5.0, "GroundShadow": "Below", "OutlineWidth": 1.5, "OutlineColor": [0.1, 0.2, 0.3],
+    "DepthCue": 0.4, "ToneMapping": "Filmic", "Exposure": 0.5,
+    "Denoising": "Never", "SamplesPerPixel": 3}
 
 
 def values(shown):
@@ -23,7 +22,7 @@ def values(shown):
     for name in SETTINGS:
         value = shown.GetPropertyValue(name)
         # Numbers are stored in text files.
-        found[name] = [round(item, 6) for item in value] if name in ("EnvironmentColor", "OutlineColor") else value
+        found[name] = [round(item, 6) for item in value] if name == "OutlineColor" else value
     return found
 
 

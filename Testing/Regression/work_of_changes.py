@@ -98,7 +98,6 @@ FIELDS = {
         "OfVectors": "with Split Vector and Uncertain Vector; see Split",
         "Mask": "GlyphMask",
         "RadiusArray": [({}, "GlyphRadiusArray", "length", "glyphs"), (TENSOR, "GlyphRadiusArray", "length", "nothing")],
-        "RadiusFactor": [({"GlyphRadiusArray": "length"}, "GlyphRadiusFactor", 0.1, "glyphs"), ({}, "GlyphRadiusFactor", 0.1, "nothing")],
         "Anchor": [(ARROW, "GlyphAnchor", "Tip", "glyphs"), (TENSOR, "GlyphAnchor", "Tip", "nothing")],
     },
     "GlyphMask": {
@@ -129,7 +128,6 @@ FIELDS = {
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
         "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "xx xy xz yy yz zz", "glyphs"), ({}, "GlyphTensorLayout", "xx xy xz yy yz zz", "nothing")],
         "Sharpness": [(SUPERQUADRIC, "GlyphTensorSharpness", 1.0, "glyphs"), (TENSOR, "GlyphTensorSharpness", 1.0, "nothing")],
-        "Thickness": [(TENSOR, "GlyphTensorThickness", 0.5, "glyphs"), ({}, "GlyphTensorThickness", 0.5, "nothing")],
         "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Fractional Anisotropy", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
                      ({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Eigenvalues", "colors"),
                      (TENSOR, "GlyphTensorColoring", "Sign", "glyphs")],
@@ -149,7 +147,6 @@ FIELDS = {
         "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
         "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "xx xy xz yy yz zz", "glyphs"), (BALLS, "GlyphTensorLayout", "xx xy xz yy yz zz", "nothing")],
         "Basis": [(BALLS, "GlyphHarmonicsBasis", "DIPY", "glyphs"), (FORMS, "GlyphHarmonicsBasis", "DIPY", "nothing")],
-        "Each": [(BALLS, "GlyphHarmonicsScaling", "Each Alike", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each Alike", "nothing")],
         "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Radius", "first colors"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
     },
     "GlyphMotion::Settings": {
@@ -165,8 +162,6 @@ FIELDS = {
     "RayTracedImageSettings": {
         "ShadingMode": ({}, "ShadingMode", "Ambient Occlusion", "image"),
         "AmbientOcclusionRadius": [(OCCLUSION, "AmbientOcclusionRadius", 0.1, "image"), ({}, "AmbientOcclusionRadius", 0.1, "nothing")],
-        "SecondaryRays": [(OCCLUSION, "SecondaryRays", 3, "image"), (PATHS, "SecondaryRays", 2, "image"), ({}, "SecondaryRays", 3, "nothing")],
-        "MaximumBounces": [(PATHS, "MaximumBounces", 2, "image"), ({}, "MaximumBounces", 2, "nothing")],
         "Illumination": [(PATHS, "Illumination", "Uniform", "image"), (OCCLUSION, "Illumination", "Uniform", "image"),
                          ({}, "Illumination", "Uniform", "nothing")],
         "Shadows": [({}, "Shadows", 1, "image"), (PATHS, "Shadows", 1, "nothing")],
@@ -175,14 +170,11 @@ FIELDS = {
         "OutlineWidth": ({}, "OutlineWidth", 2.0, "display"),
         "OutlineColor": ({"OutlineWidth": 2.0}, "OutlineColor", [1.0, 0.0, 0.0], "display"),
         "DepthCue": ({}, "DepthCue", 0.5, "display"),
-        "LightIntensity": [(PATHS, "LightIntensity", 2.0, "image"), ({}, "LightIntensity", 2.0, "nothing")],
-        "EnvironmentColor": [(PATHS, "EnvironmentColor", [1.0, 0.5, 0.5], "image"), ({}, "EnvironmentColor", [1.0, 0.5, 0.5], "nothing")],
         "ToneMapping": (PATHS, "ToneMapping", "Filmic", "image"),
         "Exposure": (PATHS, "Exposure", 1.0, "image"),
         "Denoising": ({**PATHS, "Denoising": "Always"}, "Denoising", "Never", "display"),
         "SamplesPerPixel": [({}, "SamplesPerPixel", 3, "image"), (PATHS, "SamplesPerPixel", 3, "image")],
         "SamplesPerRender": "internal; see every_property.py",
-        "InteractiveReduction": ({}, "InteractiveReduction", 4, "nothing"),
         "ParallelLight": ({}, "ParallelLight", "Neighbors", "nothing"),
     },
     "Material": {
