@@ -172,7 +172,7 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
     }
     glyph.Radius = static_cast<float>(extent.bound);
     // Of the unit glyph, which is a little less than the largest that is possible
-    glyph.Size *= this->Settings.Sizing(forms->Magnitude(extent)) * (extent.bound / extent.radius);
+    glyph.Size *= this->Settings.Sizing(extent.radius) * (extent.bound / extent.radius);
   }
   this->Finish(point, tuples, glyph.Size);
   const bool good = !tuples.Radii.Has(point) || rtg::IsPositive(glyph.Size.y);

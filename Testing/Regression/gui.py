@@ -26,16 +26,16 @@ FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
-    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 26), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 31),
-    **{shape: (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30) for shape in ("Box", "Cylinder", "Cone")}, "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 27),
-    "Split Vector": (DIRECTION + SIZE[:1] + FIRST + BY_DIRECTION + LAST, 20),
-    **{shape: (DIRECTION + SIZE[:1] + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 23) for shape in ("Uncertain Vector", "Uncertain Direction")},
-    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 26),
-    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 29), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 29),
-    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 29), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 30),
-    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 30), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27),
-    "Spherical Harmonics": (SIZE + FIRST + ["Harmonics Array", "Harmonics Basis"] + COLORED + BY_DIRECTION + LAST, 27),
-    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 26)}
+    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30),
+    **{shape: (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 29) for shape in ("Box", "Cylinder", "Cone")}, "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 26),
+    "Split Vector": (DIRECTION + SIZE[:1] + FIRST + BY_DIRECTION + LAST, 19),
+    **{shape: (DIRECTION + SIZE[:1] + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 22) for shape in ("Uncertain Vector", "Uncertain Direction")},
+    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 25),
+    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28),
+    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28),
+    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26),
+    "Spherical Harmonics": (SIZE + FIRST + ["Harmonics Array", "Harmonics Basis"] + COLORED + BY_DIRECTION + LAST, 25),
+    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 25), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 24)}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
