@@ -324,8 +324,9 @@ void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& setting
   }
   const std::string scales =
     settings.Scaling && !rtglyphs::RayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
-  const std::string name = settings.Tensors.On  ? settings.Tensors.Array
-    : settings.Forms.On ? settings.Forms.Array : scales;
+  const std::string name = settings.Tensors.On ? settings.Tensors.Array
+    : settings.Forms.On                        ? settings.Forms.Array
+                                               : scales;
   const Values& summary = this->Common.Summary;
   vtkNew<vtkMatrix4x4> matrix;
   this->Common.Parts.Actor->GetMatrix(matrix);

@@ -33,8 +33,7 @@ rtg::TraceSettings ToTraceSettings(const rtglyphs::RayTracedImageSettings& from)
   {
     settings.paths = 4;
   }
-  if (settings.shading != rtg::Shading::Local &&
-    from.Illumination == rtglyphs::RayTracedImageSettings::LightsOfView)
+  if (settings.shading != rtg::Shading::Local && from.Illumination == rtglyphs::RayTracedImageSettings::LightsOfView)
   {
     settings.lightIntensity = 0.0f;
     settings.lightFraction = 1.0f;

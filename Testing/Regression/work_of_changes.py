@@ -139,6 +139,7 @@ FIELDS = {
         "Confidence": [({**TENSOR, "GlyphShape": "Confidence Ellipsoid"}, "GlyphConfidence", 0.5, "glyphs"), (TENSOR, "GlyphConfidence", 0.5, "nothing")],
         "Cones": "of cones beside arrows, whose settings are the arrows' own",
         "AtTips": "of ellipsoids beside arrows, whose settings are the arrows' own",
+        "Thickness": "of confidence ellipsoids, whose settings are their own",
         "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
     "GlyphForms::Settings": {
