@@ -199,13 +199,13 @@ void FillConstants(Constants& constants, const Scene::State& scene)
   constants.alone = scene.records.size() == 1;
   constants.moves = scene.moves;
   constants.rayQueries = scene.structure == Structure::Boxes;
-  constants.allHave = ~device::ASKED_OF_SETS;
-  constants.someHave = device::ASKED_OF_SETS;
+  constants.inAllSets = ~device::RUN_TIME_FEATURES;
+  constants.inSomeSets = device::RUN_TIME_FEATURES;
   for (const device::GlyphSetRecord& record : scene.records)
   {
     constants.shapes |= 1u << record.shape;
-    constants.allHave &= record.variants;
-    constants.someHave |= record.variants;
+    constants.inAllSets &= record.variants;
+    constants.inSomeSets |= record.variants;
     constants.degree = std::max(constants.degree, record.polynomialDegree);
   }
 }

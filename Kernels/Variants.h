@@ -88,13 +88,13 @@ const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
 // Features that a new color or time step adds or removes. A program tests every set for these at run time, where a ray
 // has hit (in a moving scene at each glyph): lavapipe would compile another program for seconds. Images would take 4 %
 // longer if arrays that are read for every candidate were tested, too.
-const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
+const uint RUN_TIME_FEATURES = COLOURS | ORDER_OF_SLICES;
 
 // Every specialization constant of the programs: number, type, name. Each program declares all of them.
 #define RTG_CONSTANTS(ENTRY)                                                                                           \
   ENTRY(0, uint, shapes)             /* bit n: some set is of shape n */                                               \
-  ENTRY(1, uint, allHave)            /* variants of all sets */                                                        \
-  ENTRY(2, uint, someHave)           /* variants of some set */                                                        \
+  ENTRY(1, uint, inAllSets)          /* variants of all sets */                                                        \
+  ENTRY(2, uint, inSomeSets)         /* variants of some set */                                                        \
   ENTRY(3, bool, independentSamples) /* as TraceSettings has it */                                                     \
   ENTRY(4, bool, alone)              /* the scene has one record, FrameRecord::onlySet */                              \
   ENTRY(5, bool, translucency)       /* some set has opacity below one, and rays pass it at random */                  \

@@ -20,7 +20,7 @@ RTG_CONSTANTS(RTG_DECLARE)
 // Whether a set has a variant (Variants.h); `variants`: those of its record. A macro, because Vulkan/Specialize follows
 // constants within a function only.
 #define Has(variants, variant)                                                                                         \
-  ((allHave & (variant)) != 0u || ((someHave & (variant)) != 0u && ((variants) & (variant)) != 0u))
+  ((inAllSets & (variant)) != 0u || ((inSomeSets & (variant)) != 0u && ((variants) & (variant)) != 0u))
 
 // Whether a set is of a shape; `shape`: that of its record. A macro for the same reason.
 #define IsOfShape(shape, number) (shapes == 1u << (number) || ((shapes & 1u << (number)) != 0u && (shape) == (number)))

@@ -24,7 +24,7 @@ uint layerRecord[LAYER_CAPACITY];   // where there are several
 uint layerTriangle[LAYER_CAPACITY]; // where there are meshes or cuts
 float layerPassing[LAYER_CAPACITY]; // transmittance, 1 where unknown
 bool layersStopLight = false;       // what lies behind the last does not show
-const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (someHave & SECTION)) != 0u;
+const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (inSomeSets & SECTION)) != 0u;
 
 // Whether opacities decide how many of them show: where all are alike the limit does.
 bool CountsLight()

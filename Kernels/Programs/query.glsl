@@ -9,7 +9,7 @@
 // Whether there may be triangles of the driver.
 bool QueriesTriangles()
 {
-  return (shapes & (1u << RTG_MESH)) != 0u && (allHave & MESH_TREE) == 0u;
+  return (shapes & (1u << RTG_MESH)) != 0u && (inAllSets & MESH_TREE) == 0u;
 }
 
 // A triangle where the ray meets it, with t by our own arithmetic.

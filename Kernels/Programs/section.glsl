@@ -5,7 +5,7 @@
 #define RTG_SECTION
 
 // Parts of a ray that are left, at most. Programs that cut nothing have no second round.
-const uint partsOfRay = 1u + (someHave & SECTION) / SECTION;
+const uint partsOfRay = 1u + (inSomeSets & SECTION) / SECTION;
 
 // Of the part that is being traced: where it begins in a plane that is to be closed, and which one, or none; and the
 // number of the first crossing on it.

@@ -10,7 +10,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Tre
 };
 
 // Rays are soon stopped in some set: what lies behind a hit is dropped at once.
-const bool dropsHidden = (someHave & DROPS_HIDDEN) != 0u;
+const bool dropsHidden = (inSomeSets & DROPS_HIDDEN) != 0u;
 
 // A path through the tree without a stack: the node is known by level and index, and for every level above it
 // eight bits say which of the children are still to be visited, the first to be visited highest, and four in what

@@ -70,7 +70,7 @@ def values(entry):
     """What the property can be, as its documentation says, else its domains, which are the sliders' ends."""
     stated = re.search(r"\b[Ii]n (\[[^\]]*\])", words(entry))
     for domain in entry:
-        if domain.tag == "EnumerationDomain":
+        if domain.find("Entry") is not None:
             return ", ".join(item.get("text") for item in domain.iter("Entry"))
         if domain.tag == "BooleanDomain":
             return "0, 1"
@@ -87,7 +87,8 @@ def values(entry):
                 return "[%s, %s]" % (least, most)
             if least:
                 return "%s and more" % least
-    return "text" if entry.tag.endswith("StringVectorProperty") else "numbers"
+    kinds = {"InputProperty": "a source", "Property": "*command*"}
+    return kinds.get(entry.tag, "text" if entry.tag.endswith("StringVectorProperty") else "numbers")
 
 
 def default(entry):
@@ -96,7 +97,7 @@ def default(entry):
         if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain",
                           "RayTracedRadiusDomain"):
             return "from the data"
-        if domain.tag == "EnumerationDomain":
+        if domain.find("Entry") is not None:
             return next((item.get("text") for item in domain.iter("Entry") if item.get("value") == entry.get("default_values")), "")
     given = entry.get("default_values")
     return "" if given in (None, "none") else given

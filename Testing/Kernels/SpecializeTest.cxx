@@ -51,7 +51,7 @@ rtg::Constants ConstantsOf(std::initializer_list<rtg::Shape> shapes, std::uint32
   {
     constants.shapes |= 1u << static_cast<std::uint32_t>(shape);
   }
-  constants.someHave = variants;
+  constants.inSomeSets = variants;
   return constants;
 }
 
