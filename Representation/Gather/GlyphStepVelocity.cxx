@@ -132,17 +132,15 @@ std::string rtglyphs::GlyphStepVelocity::Describe() const
     case NO_IDS:
       return rtglyphs::GlyphStep::IdsNeeded("VelocityFromPreviousStep", "the glyphs stand still");
     case NO_TIME:
-      return "VelocityFromPreviousStep needs the time of the data, which they lack; so the "
-             "glyphs stand still. Open "
+      return "VelocityFromPreviousStep needs the time of the data, which they lack; so the glyphs stand still. Open "
              "them as a time series, or choose a VelocityArray.";
     case WITHOUT_PARTNER:
     {
       std::ostringstream text;
       text << this->WithoutPartner << " of " << this->Points
-           << " points stand still, because VelocityFromPreviousStep finds no single point of the "
-              "same id in the step "
-              "shown before, at time "
-           << this->Before.Time << ". Later steps give no such message.";
+           << " points stand still, because VelocityFromPreviousStep finds no point, or several, with their ids in the "
+              "step shown before, at time "
+           << this->Before.Time << ". Choose another PointIdArray if they were there. Later steps are not reported.";
       return text.str();
     }
     default:

@@ -62,15 +62,14 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
       std::to_string(result.Skipped + this->GetNumberOfGlyphs()) +
-      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these "
-      "points, for "
-      "example with Threshold or Clean.");
+      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these points, for example "
+      "with Threshold or Clean.");
   }
   else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
   {
-    messages.emplace_back("The data have no polygons and so no surface to show; lines and vertices "
-                          "are left out. Choose another representation, or make polygons with a "
-                          "filter such as Extract Surface, Tube or Contour.");
+    messages.emplace_back("The data have no polygons and so no surface to show; lines and vertices are left out. Choose "
+                          "another representation, or make polygons with a filter such as Extract Surface, Tube or "
+                          "Contour.");
   }
   this->ReportInstances(std::move(messages), rtglyphs::GlyphMotion::Unfinished(this->Settings.Motion));
 }

@@ -338,9 +338,8 @@ bool vtkRayTracedRepresentation::WithinMemory(const std::function<void()>& work,
     this->Guarded = false;
     if (std::exchange(this->LacksMemory, false))
     {
-      vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
-                       "data. Show fewer of them, for example "
-                       "with Mask Points or Threshold, or hide other data.");
+      vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these data. Show fewer of "
+                       "them, for example with Mask Points or Threshold, or hide other data.");
     }
   }
   return good;

@@ -290,8 +290,7 @@ void vtkRayTracedScene::StartFrame()
   const bool other = HasForeignPass(this->Renderer);
   if (other && self.Displays.ShowsAnything() && !self.PassReported)
   {
-    vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's "
-                       "EnableRayTracing is on. Switch it "
+    vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's EnableRayTracing is on. Switch it "
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
