@@ -182,8 +182,8 @@ Specialization SpecializationFor(const TraceSettings& settings)
   Specialization specialization;
   const ShadingTraits traits = TraitsOf(settings);
   // Local shading with shadows is ambient occlusion without the sky.
-  const bool asks = settings.shadows && settings.shading == Shading::Local;
-  specialization.program = static_cast<std::uint32_t>(asks ? Shading::AmbientOcclusion : settings.shading);
+  const bool shadowsOnly = settings.shadows && settings.shading == Shading::Local;
+  specialization.program = static_cast<std::uint32_t>(shadowsOnly ? Shading::AmbientOcclusion : settings.shading);
   Constants& constants = specialization.constants;
   constants.independentSamples = settings.independentSamples && traits.scatters;
   constants.gathersFeatures = settings.features;
@@ -255,9 +255,9 @@ void FillTimeStrata(device::FrameRecord& frame, const TraceSettings& settings)
 {
   constexpr std::uint32_t most = 65536;
   constexpr double goldenSection = 0.6180339887498949;
-  const bool asked = !TraitsOf(settings).scatters && !settings.independentSamples;
+  const bool stratified = !TraitsOf(settings).scatters && !settings.independentSamples;
   const std::uint32_t planned = std::min(PlannedSamples(settings), most);
-  frame.timeStrata = asked && planned > 1 ? planned : 0;
+  frame.timeStrata = stratified && planned > 1 ? planned : 0;
   frame.timeStep = CoprimeUpTo(static_cast<std::uint32_t>(std::lround(goldenSection * planned)), planned);
 }
 

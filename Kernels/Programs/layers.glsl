@@ -51,7 +51,7 @@ bool MoreLayers(const Layers layers)
   return layered && layers.count < maximumLayers && layers.transmittance >= MIN_TRANSMITTANCE;
 }
 
-// How much the layer weighs in the pixel.
+// The layer's weight in the pixel.
 float WeightOfLayer(inout Layers layers, const SurfaceHit hit)
 {
   float weight = layers.transmittance * hit.colour.a;

@@ -34,7 +34,7 @@ struct PolynomialSearch
   bool touches;
   bool turnsBack;
   real2 pad;  // how far before and behind its bracket rounding may have put it
-  bool knows; // `inside` is known at `near`, where the search goes on
+  bool known; // `inside` is known at `near`, where the search goes on
   int steps;
 };
 
@@ -182,7 +182,7 @@ RTG_FN bool NextCrossing(
     if (resumes)
     {
       search.a = b;
-      search.inside = search.knows ? search.inside : inside;
+      search.inside = search.known ? search.inside : inside;
       search.turned = search.touches && (search.turnsBack ? search.near != search.high : true);
       search.touches = false;
       resumes = false;
@@ -435,7 +435,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
   search.turnsBack = false;
   search.turned = false;
   search.pad = real2(real(0.0));
-  search.knows = true;
+  search.known = true;
   search.a.n = DirectionAt(plane, plane.start);
   search.a.f = real(0.0);
   search.a.slope = real(0.0);
@@ -477,7 +477,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
       }
       bool crosses = settled >= RTG_ZERO;
       search.near = settled == RTG_ZERO ? search.near : search.high;
-      search.knows = crosses || search.touches;
+      search.known = crosses || search.touches;
       search.inside = search.inside != crosses;
     }
   }

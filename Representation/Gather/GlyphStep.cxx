@@ -37,22 +37,22 @@ vtkDataArray* IdsOf(vtkPolyData* points, const std::string& name)
   return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
 }
 
-// The longest ways along each axis that are taken for motion.
-std::array<double, 3> LongestWays(const rtglyphs::GlyphStep::Pairs& pairs)
+// The longest displacements along each axis that are motion; longer ones cross a periodic boundary.
+std::array<double, 3> LongestDisplacements(const rtglyphs::GlyphStep::Pairs& pairs)
 {
   std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
   for (int c = 0; c < 3 && !pairs.empty(); ++c)
   {
-    std::vector<double> ways;
+    std::vector<double> lengths;
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (const auto& [now, before] : pairs)
     {
-      ways.push_back(std::abs(now->X[c] - before->X[c]));
+      lengths.push_back(std::abs(now->X[c] - before->X[c]));
       least = std::min({ least, now->X[c], before->X[c] });
       most = std::max({ most, now->X[c], before->X[c] });
     }
-    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
-    std::nth_element(ways.begin(), middle, ways.end());
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
     longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
   }
   return longest;
@@ -168,7 +168,7 @@ rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::Match(const std::vector<Entry>& 
 //----------------------------------------------------------------------------
 rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::WithoutCrossings(Pairs pairs)
 {
-  const std::array<double, 3> longest = LongestWays(pairs);
+  const std::array<double, 3> longest = LongestDisplacements(pairs);
   std::erase_if(pairs,
     [&longest](const auto& pair)
     {

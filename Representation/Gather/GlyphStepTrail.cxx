@@ -23,24 +23,24 @@
 
 namespace
 {
-// From an edge of the box, or a diagonal of it or of its faces, to the next.
+// Along the edges of the box and the diagonals of it and of its faces.
 std::vector<glm::dvec3> Translations(const rtg::PeriodicImages& images)
 {
   std::vector<glm::dvec3> all;
   for (int number = 14; number < 27 && images.Any(); ++number) // the other half are their opposites
   {
-    const glm::dvec3 way = double(number / 9 - 1) * images.edges[0] + double(number / 3 % 3 - 1) * images.edges[1] +
-      double(number % 3 - 1) * images.edges[2];
-    if (way != glm::dvec3(0.0))
+    const glm::dvec3 translation = double(number / 9 - 1) * images.edges[0] +
+      double(number / 3 % 3 - 1) * images.edges[1] + double(number % 3 - 1) * images.edges[2];
+    if (translation != glm::dvec3(0.0))
     {
-      all.push_back(way);
+      all.push_back(translation);
     }
   }
   return all;
 }
 
-// What is to be added to the way to a point, so that it is the way to the nearest image of it.
-glm::dvec3 ShiftToNearest(const glm::dvec3& way, const std::vector<glm::dvec3>& translations)
+// Added to the displacement of a point, it gives that of the point's nearest image.
+glm::dvec3 ShiftToNearest(const glm::dvec3& displacement, const std::vector<glm::dvec3>& translations)
 {
   constexpr int enough = 16; // rounds, each of which makes it shorter
   glm::dvec3 shift(0.0);
@@ -50,7 +50,7 @@ glm::dvec3 ShiftToNearest(const glm::dvec3& way, const std::vector<glm::dvec3>& 
     changed = false;
     for (const glm::dvec3& translation : translations)
     {
-      const double count = std::round(glm::dot(way + shift, translation) / glm::dot(translation, translation));
+      const double count = std::round(glm::dot(displacement + shift, translation) / glm::dot(translation, translation));
       shift -= count * translation;
       changed |= count != 0.0;
     }
@@ -199,8 +199,8 @@ void rtglyphs::GlyphStepTrail::AddTo(vtkDataObject* gathered, const rtg::Periodi
     going.reserve(pairs.size());
     for (const auto& [now, before] : pairs)
     {
-      const glm::dvec3 way(before->X[0] - now->X[0], before->X[1] - now->X[1], before->X[2] - now->X[2]);
-      const glm::dvec3 shift = ShiftToNearest(way, translations);
+      const glm::dvec3 displacement(before->X[0] - now->X[0], before->X[1] - now->X[1], before->X[2] - now->X[2]);
+      const glm::dvec3 shift = ShiftToNearest(displacement, translations);
       going.push_back(*now);
       for (int c = 0; c < 3; ++c)
       {

@@ -284,7 +284,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
                                                  : settings.OrientationArray;
     if (rtglyphs::RayTracedArrays::IsNone(array))
     {
-      result.Unfinished = problem;
+      result.MissingInput = problem;
     }
     else if (!rtglyphs::RayTracedBlocks::IsElsewhere(points, array))
     {
@@ -295,12 +295,12 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   }
   const rtglyphs::GlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
   const rtglyphs::GlyphMotion motion(points, settings.Motion);
-  result.Unfinished = rtglyphs::GlyphMotion::Unfinished(settings.Motion);
+  result.MissingInput = rtglyphs::GlyphMotion::MissingInput(settings.Motion);
   const bool pointed = settings.Shape == rtg::Shape::Arrow || settings.Shape == rtg::Shape::Cone;
   if (pointed && settings.Orient && !settings.Tensors.On &&
     rtglyphs::RayTracedArrays::IsNone(settings.OrientationArray))
   {
-    result.Unfinished =
+    result.MissingInput =
       "Arrows and cones need directions; without them all point along x. Choose a point array of 2 or 3 "
       "components as SelectOrientationVectors, or switch Orient off.";
   }

@@ -37,7 +37,7 @@ public:
     std::vector<float> Radii;      // of each polynomial: the |f| that half its size stands for, in units of the array
     vtkIdType Skipped = 0;         // points that could not be shown
     std::vector<std::string> Messages;
-    std::string Unfinished; // what must be chosen before there are glyphs, or these move; empty: nothing
+    std::string MissingInput; // what must be chosen before there are glyphs, or these move; empty: nothing
   };
 
   /**

@@ -163,7 +163,7 @@ void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& s
 }
 
 //----------------------------------------------------------------------------
-std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
+std::string rtglyphs::GlyphMotion::MissingInput(const Settings& settings)
 {
   const bool any = IsNamed(settings, LINEAR) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR);
   return !settings.On || any

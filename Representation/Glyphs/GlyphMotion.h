@@ -73,7 +73,7 @@ public:
   /**
    * Missing input of motion; empty: none.
    */
-  static std::string Unfinished(const Settings& settings);
+  static std::string MissingInput(const Settings& settings);
 
   bool On() const;
   bool Spins() const { return this->Found[2] != nullptr; }

@@ -193,7 +193,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   // Axes and trails go with glyphs, which have reported bad points.
   if (!this->Settings.Tensors.Axes && !trails)
   {
-    this->ReportInstances(std::move(result.Messages), result.Unfinished);
+    this->ReportInstances(std::move(result.Messages), result.MissingInput);
   }
 }
 

@@ -300,12 +300,12 @@ vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOf(vtkIdType point, vtkIdTy
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::ReportInstances(std::vector<std::string> messages, const std::string& unfinished)
+void vtkRayTracedMapper::ReportInstances(std::vector<std::string> messages, const std::string& missingInput)
 {
-  this->Unfinished = unfinished;
-  if (!unfinished.empty() && !this->InWindow)
+  this->MissingInput = missingInput;
+  if (!missingInput.empty() && !this->InWindow)
   {
-    messages.push_back(unfinished);
+    messages.push_back(missingInput);
   }
   this->Report(messages, this->ReportedInstances);
 }

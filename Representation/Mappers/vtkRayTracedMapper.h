@@ -108,7 +108,7 @@ public:
    * Missing input that the user must choose; empty: none. Who makes the choices in a
    * window, one after the other, is not warned of it.
    */
-  const std::string& GetUnfinished() const { return this->Unfinished; }
+  const std::string& GetMissingInput() const { return this->MissingInput; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
   ///@}
 
@@ -230,7 +230,7 @@ protected:
    * The missing input of instances, and its `messages`; with the latter, but
    * not in a window.
    */
-  void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
+  void ReportInstances(std::vector<std::string> messages, const std::string& missingInput);
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
   /**
@@ -244,7 +244,7 @@ protected:
   std::uint64_t BlocksVersion = 0;
   rtglyphs::RayTracedOriginalIds OriginalIds; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
-  std::string Unfinished;
+  std::string MissingInput;
   bool InWindow = false;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances

@@ -71,7 +71,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
                           "another representation, or make polygons with a filter such as Extract Surface, Tube or "
                           "Contour.");
   }
-  this->ReportInstances(std::move(messages), rtglyphs::GlyphMotion::Unfinished(this->Settings.Motion));
+  this->ReportInstances(std::move(messages), rtglyphs::GlyphMotion::MissingInput(this->Settings.Motion));
 }
 
 //----------------------------------------------------------------------------

@@ -41,7 +41,7 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
   this->Skipped = result.Bad + result.Empty;
   ++this->OriginalIdsVersion;
   this->InstanceVersion = NewVersion();
-  this->ReportInstances(std::move(result.Messages), rtglyphs::GlyphMotion::Unfinished(this->Settings.Motion));
+  this->ReportInstances(std::move(result.Messages), rtglyphs::GlyphMotion::MissingInput(this->Settings.Motion));
 }
 
 //----------------------------------------------------------------------------

@@ -162,7 +162,7 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
       representations[std::to_string(display.Data.Representation)] = {
         { "glyphs", count(own + GLYPHS) },
         { "skippedGlyphs", count(own + SKIPPED_GLYPHS) },
-        { "unfinished", mapper.GetUnfinished() },
+        { "missingInput", mapper.GetMissingInput() },
         { "section",
           !cut       ? ""
             : !takes ? "Section has no effect: it does not meet what is shown"

@@ -429,7 +429,7 @@ def shuffled(view, checks):
 
 def streak(name, display, view, checks):
     """Motion blur has something to show."""
-    checks.equal(name + ": motion", session.statistics(display).get("unfinished", ""), "")
+    checks.equal(name + ": motion", session.statistics(display).get("missingInput", ""), "")
 
 
 ROWS = (

@@ -318,7 +318,7 @@ def bad_input(checks, view):
     pv.Delete(points)
 
 
-def unfinished(checks, view):
+def missing_input(checks, view):
     """An array that has not been chosen yet: a window shows no message, only RenderStatistics; a script gets a warning."""
     data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)))
     stage = session.Stage(view)
@@ -334,11 +334,11 @@ def unfinished(checks, view):
                 checks.no_message(what, text)
             else:
                 checks.one_message(what, text, name)
-            checks.true(what + ": unfinished in RenderStatistics", name in session.statistics(shown)["unfinished"])
+            checks.true(what + ": missingInput in RenderStatistics", name in session.statistics(shown)["missingInput"])
             checks.equal(what + ": glyphs", session.statistics(shown)["glyphs"], 0)
             stage.settings.add({name: array})
             pv.Render(view)
-            checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
+            checks.equal(what + ": what is left to choose with one", session.statistics(shown)["missingInput"], "")
             checks.equal(what + ": glyphs with one", session.statistics(shown)["glyphs"], 1)
     # Without an array nothing is turned.
     for shape, orient in (("Arrow", 0), ("Cone", 0), ("Sphere", 1), ("Arrow", 1), ("Box", 1), ("Capsule", 1)):
@@ -360,7 +360,7 @@ def main():
     forms(checks, view, random)
     sizes(checks, view, random)
     bad_input(checks, view)
-    unfinished(checks, view)
+    missing_input(checks, view)
     gallery(checks, random)
     bounds(checks, random)
     checks.report()

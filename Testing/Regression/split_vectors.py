@@ -142,7 +142,7 @@ def needs(checks, view):
         checks.one_message("vectors of %s" % array, said, *words)
     shown = stage.show(data, "Split Vector", SelectOrientationVectors="None", ScaleFactor=1.0)
     pv.Render(view)
-    checks.true("unfinished without vectors: %s" % session.statistics(shown)["unfinished"], "SelectOrientationVectors" in session.statistics(shown)["unfinished"])
+    checks.true("missing input without vectors: %s" % session.statistics(shown)["missingInput"], "SelectOrientationVectors" in session.statistics(shown)["missingInput"])
     checks.covered("nothing without vectors", session.capture(view, "split-vectors-none"), 0.0, 0.0)
     stage.close()
 
