@@ -147,7 +147,8 @@ void CheckSettings(const TraceSettings& settings)
   if (settings.width > maxSide || settings.height > maxSide)
   {
     throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
-      std::to_string(settings.height) + " pixels is too large; make it smaller, at most " + std::to_string(maxSide) + " pixels a side.");
+      std::to_string(settings.height) + " pixels is too large; make it smaller, at most " + std::to_string(maxSide) +
+      " pixels a side.");
   }
 }
 

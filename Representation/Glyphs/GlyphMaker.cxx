@@ -108,7 +108,8 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   std::vector<std::string>* const reported = settings.Tensors.AtTips ? nullptr : &messages; // by the arrows
   for (int id = 0; id < rtglyphs::GlyphArrays::NUMBER_OF_IDS; ++id)
   {
-    this->Arrays[id] = rtglyphs::GlyphArrays::Find(static_cast<rtglyphs::GlyphArrays::Id>(id), points, settings, reported);
+    this->Arrays[id] =
+      rtglyphs::GlyphArrays::Find(static_cast<rtglyphs::GlyphArrays::Id>(id), points, settings, reported);
   }
   this->OrientationMode =
     rtglyphs::GlyphArrays::OrientationMode(this->Arrays[rtglyphs::GlyphArrays::ORIENTATION], settings);

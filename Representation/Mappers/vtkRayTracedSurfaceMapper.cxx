@@ -67,9 +67,10 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   }
   else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
   {
-    messages.emplace_back("The data have no polygons and so no surface to show; lines and vertices are left out. Choose "
-                          "another representation, or make polygons with a filter such as Extract Surface, Tube or "
-                          "Contour.");
+    messages.emplace_back(
+      "The data have no polygons and so no surface to show; lines and vertices are left out. Choose "
+      "another representation, or make polygons with a filter such as Extract Surface, Tube or "
+      "Contour.");
   }
   this->ReportInstances(std::move(messages), rtglyphs::GlyphMotion::MissingInput(this->Settings.Motion));
 }
