@@ -5,14 +5,8 @@
 //   with 1, 2, ... bounces, and ratios to local shading, in each of five turns.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
 //   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of
-//   independent samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept
-//   beside OUTPUT and used again.
-// LightBenchmark variance OUTPUT.csv NAME=SCENE...
-//   Of the middle 32 x 32 pixels of the view: the variance of one sample, split into what the place in the pixel alone
-//   decides, what the directions after it alone decide, and what only both together do, which is what samples spread
-//   well in each of them cannot take away. 64 places by 64 choices of directions a pixel.
-// LightBenchmark picture SCENE OUTPUT.ppm [PIXELS] [SAMPLES]
-//   That part of the view, ambient occlusion beside path tracing, to be looked at.
+//   independent samples, by shading, sampler, samples and seconds, as traced and denoised. References are kept beside
+//   OUTPUT and used again.
 // SCENE: a file by Data/spheres_280k.py or Data/helix.py, or one of Data/impact, whose velocities become arrows in a
 // vessel.
 #include "Denoiser.h"
@@ -27,7 +21,6 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
-#include <random>
 
 namespace
 {
@@ -87,15 +80,6 @@ void MeasureCost(LightScene& subject, const std::string& scene, std::ofstream& c
 
 using Pixels = std::vector<glm::vec4>;
 
-// The middle of the view, at its scale.
-rtg::Camera MiddleOf(const LightScene& subject, int pixels)
-{
-  rtg::Camera camera = subject.camera;
-  camera.right *= static_cast<double>(pixels) / subject.side;
-  camera.up *= static_cast<double>(pixels) / subject.side;
-  return camera;
-}
-
 // Squares of the view at its scale, as many a side.
 std::vector<rtg::Camera> SquaresOf(const LightScene& subject, int pixels, int aside = 3)
 {
@@ -103,8 +87,11 @@ std::vector<rtg::Camera> SquaresOf(const LightScene& subject, int pixels, int as
   for (int i = 0; i < aside * aside; ++i)
   {
     const double x = (2 * (i % aside) + 1.0) / aside - 1.0, y = (2 * (i / aside) + 1.0) / aside - 1.0;
-    squares.push_back(MiddleOf(subject, pixels));
-    squares.back().forward += x * subject.camera.right + y * subject.camera.up;
+    rtg::Camera camera = subject.camera;
+    camera.forward += x * camera.right + y * camera.up;
+    camera.right *= static_cast<double>(pixels) / subject.side;
+    camera.up *= static_cast<double>(pixels) / subject.side;
+    squares.push_back(camera);
   }
   return squares;
 }
@@ -128,8 +115,7 @@ std::vector<rtg::Light> LightsOf(Shading shading)
 struct Method
 {
   bool independentSamples;
-  std::uint32_t raysPerSample = 1; ///< of a sample: occlusion rays or paths
-  bool kept = false;               ///< what the plugin does by default
+  std::uint32_t raysPerSample = 1; ///< occlusion rays or paths
 
   std::string Name() const
   {
@@ -146,13 +132,8 @@ struct Method
 
 std::vector<Method> Methods(Shading shading)
 {
-  std::vector<Method> methods{ { true }, { false }, { true, 4 } };
-  for (const std::uint32_t raysPerSample : { 2, 4, 8, 16 })
-  {
-    const bool kept = raysPerSample == (shading == Shading::AmbientOcclusion ? 8u : 4u);
-    methods.push_back({ false, raysPerSample, kept });
-  }
-  return methods;
+  return { { true }, { false },
+    { false, shading == Shading::AmbientOcclusion ? 8u : 4u } }; // the last one is the plugin's default
 }
 
 Pixels Denoised(Pixels means, const rtg::Image& image, Shading shading)
@@ -204,15 +185,6 @@ double SquaredError(const std::vector<Pixels>& a, const std::vector<Pixels>& b)
     sum += benchmark::SquaredError(a[i], b[i]) / static_cast<double>(a.size());
   }
   return sum;
-}
-
-std::vector<Pixels> Blurred(std::vector<Pixels> squares, int side)
-{
-  for (Pixels& pixels : squares)
-  {
-    pixels = benchmark::Blurred(pixels, side);
-  }
-  return squares;
 }
 
 // Independent samples; from the file if it holds so many of so many pixels.
@@ -291,7 +263,6 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels), LightsOf(shading), {} };
   rtg::TraceSettings settings = SettingsOf(subject, pixels, shading);
   const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
-  const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
   const std::vector<Method> methods = Methods(shading);
   const std::vector<benchmark::Measured> seconds = SecondsOf(squares, methods, settings);
 
@@ -301,9 +272,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   {
     const Method& method = methods[i];
     method.Apply(settings);
-    // As many samples of what is kept, as many rays or paths of the others.
-    const std::uint32_t most = mostSamples / (method.kept ? 1u : method.raysPerSample);
-    for (settings.samples = 1; settings.samples <= most; settings.samples *= 4)
+    for (settings.samples = 1; settings.samples <= mostSamples; settings.samples *= 4)
     {
       settings.plannedSamples = settings.samples;
       const std::vector<Pixels> means = squares.Trace(settings);
@@ -311,7 +280,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       // Random samples are the first of the reference's: they differ from it by less than from the truth, others by
       // more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
-      if (method.independentSamples && method.raysPerSample == 1)
+      if (method.independentSamples)
       {
         if (settings.samples == std::min(16u, mostSamples))
         {
@@ -326,8 +295,8 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       benchmark::Measured all = seconds[i];
       all *= settings.samples;
       csv << name << ',' << method.Name() << ',' << settings.samples << ',' << all << ',' << error << ',' << ownError
-          << ',' << std::max(SquaredError(squares.denoised, truth) - ownError, 0.0) << ',' << squares.denoising << ','
-          << SquaredError(Blurred(means, pixels), blurredTruth) << std::endl;
+          << ',' << std::max(SquaredError(squares.denoised, truth) - ownError, 0.0) << ',' << squares.denoising
+          << std::endl;
     }
   }
 }
@@ -336,133 +305,12 @@ void MeasureError(
   LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
   std::ofstream csv = benchmark::Written(output);
-  csv << "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n";
+  csv << "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds\n";
   for (const auto& [name, shading] : shadings)
   {
     MeasureShading(subject, name, output, csv, pixels, referenceSamples,
       shading == Shading::AmbientOcclusion ? std::min(256u, mostSamples) : mostSamples, shading);
   }
-}
-
-// The variance of one sample, averaged over pixels: analysis of variance of `places` by `directions` samples a pixel,
-// in which every place is seen with every choice of directions. What a pixel's first sample chooses depends on the
-// pixel's number alone, so a view moved by whole pixels sees the same with other choices, one moved by parts of a pixel
-// other places with the same.
-struct VarianceParts
-{
-  double place = 0.0, direction = 0.0, both = 0.0;
-  double adaptive = 0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
-  double covered = 0.0;  ///< fraction of the samples that hit something
-
-  double Total() const { return this->place + this->direction + this->both; }
-};
-
-VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading shading)
-{
-  rtg::Tracer tracer(subject.device);
-  rtg::TraceSettings settings = SettingsOf(subject, pixels + side, shading);
-  settings.independentSamples = true;
-  const std::vector<rtg::Light> lights = LightsOf(shading);
-  rtg::Camera camera = MiddleOf(subject, pixels + side);
-  const glm::dvec3 forward = camera.forward;
-  const std::size_t count = static_cast<std::size_t>(pixels) * pixels;
-  const int factors = side * side;
-  std::mt19937 engine(1);
-  std::uniform_real_distribution<double> within(-0.5, 0.5);
-
-  // Sums over the other factor, and over both, of the samples and of their squares.
-  std::vector<glm::dvec3> ofPlaces(count * factors), ofDirections(count * factors), all(count), squares(count);
-  VarianceParts parts;
-  for (int place = 0; place < factors; ++place)
-  {
-    const double x = within(engine), y = within(engine);
-    for (int choice = 0; choice < factors; ++choice)
-    {
-      const int dx = choice % side, dy = choice / side;
-      const double pixel = 2.0 / (pixels + side);
-      camera.forward =
-        forward + (x + 0.5 * side - dx) * pixel * camera.right + (y + 0.5 * side - dy) * pixel * camera.up;
-      tracer.Trace(subject.scene, camera, lights, settings);
-      const Pixels means = tracer.Means();
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        const std::size_t at = (i / pixels + dy) * (pixels + side) + i % pixels + dx;
-        const glm::dvec3 value(means[at]);
-        ofPlaces[i * factors + place] += value;
-        ofDirections[i * factors + choice] += value;
-        all[i] += value;
-        squares[i] += value * value;
-        parts.covered += means[at].w;
-      }
-    }
-  }
-
-  double deviation = 0.0, n = factors;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    glm::dvec3 placeSum(0.0), directionSum(0.0);
-    for (int k = 0; k < factors; ++k)
-    {
-      placeSum += ofPlaces[i * factors + k] * ofPlaces[i * factors + k];
-      directionSum += ofDirections[i * factors + k] * ofDirections[i * factors + k];
-    }
-    const glm::dvec3 mean = all[i] * all[i] / (n * n);
-    const glm::dvec3 byPlaces = placeSum / n - mean, byDirections = directionSum / n - mean;
-    const glm::dvec3 both = (squares[i] - mean - byPlaces - byDirections) / ((n - 1.0) * (n - 1.0));
-    const glm::dvec3 place = (byPlaces / (n - 1.0) - both) / n;
-    const glm::dvec3 direction = (byDirections / (n - 1.0) - both) / n;
-    const auto channels = [&](const glm::dvec3& v) { return (v.x + v.y + v.z) / (3.0 * static_cast<double>(count)); };
-    parts.place += channels(place);
-    parts.direction += channels(direction);
-    parts.both += channels(both);
-    const glm::dvec3 whole = place + direction + both;
-    deviation += std::sqrt(std::max((whole.x + whole.y + whole.z) / 3.0, 0.0)) / static_cast<double>(count);
-  }
-  parts.adaptive = parts.Total() / (deviation * deviation);
-  parts.covered /= static_cast<double>(count) * n * n;
-  return parts;
-}
-
-void MeasureVariance(LightScene& subject, const std::string& scene, std::ofstream& csv)
-{
-  for (const auto& [name, shading] : shadings)
-  {
-    const VarianceParts parts = SplitVariance(subject, 32, 8, shading);
-    csv << scene << ',' << name << ',' << parts.Total() << ',' << parts.place / parts.Total() << ','
-        << parts.direction / parts.Total() << ',' << parts.both / parts.Total() << ',' << parts.adaptive << ','
-        << parts.covered << std::endl;
-  }
-}
-
-void WritePicture(LightScene& subject, const std::string& output, int pixels, std::uint32_t samples)
-{
-  std::FILE* file = std::fopen(output.c_str(), "wb");
-  if (!file)
-  {
-    throw std::runtime_error("cannot write " + output);
-  }
-  std::fprintf(file, "P6 %d %d 255\n", 2 * pixels, pixels);
-  std::vector<std::uint32_t> images[2];
-  for (int i = 0; i < 2; ++i)
-  {
-    rtg::Tracer tracer(subject.device);
-    rtg::TraceSettings settings = SettingsOf(subject, pixels, shadings[i].second);
-    settings.samples = samples;
-    const rtg::Image image =
-      tracer.Trace(subject.scene, MiddleOf(subject, pixels), LightsOf(settings.shading), settings);
-    images[i].assign(image.colour, image.colour + std::size_t(pixels) * pixels);
-  }
-  for (int y = pixels - 1; y >= 0; --y)
-  {
-    for (const std::vector<std::uint32_t>& image : images)
-    {
-      for (int x = 0; x < pixels; ++x)
-      {
-        std::fwrite(&image[std::size_t(y) * pixels + x], 1, 3, file);
-      }
-    }
-  }
-  std::fclose(file);
 }
 
 } // namespace
@@ -472,12 +320,10 @@ try
 {
   const std::string what = argc > 3 ? argv[1] : "";
   const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
-  if (what == "cost" || what == "variance")
+  if (what == "cost")
   {
     std::ofstream csv = benchmark::Written(argv[2]);
-    csv << (what == "cost" ? "scene,light,cpu_seconds,over_local"
-                           : "scene,light,variance,place,directions,both,adaptive,covered")
-        << std::endl;
+    csv << "scene,light,cpu_seconds,over_local" << std::endl;
     for (int i = 3; i < argc; ++i)
     {
       const std::string named = argv[i];
@@ -488,26 +334,20 @@ try
       }
       LightScene subject;
       benchmark::Load(subject, named.substr(sign + 1));
-      (what == "cost" ? MeasureCost : MeasureVariance)(subject, named.substr(0, sign), csv);
+      MeasureCost(subject, named.substr(0, sign), csv);
     }
     return 0;
   }
-  if (what != "error" && what != "picture")
+  if (what != "error")
   {
     std::fprintf(stderr,
-      "Usage: LightBenchmark cost|variance OUTPUT.csv NAME=SCENE.vtk...\n"
+      "Usage: LightBenchmark cost OUTPUT.csv NAME=SCENE.vtk...\n"
       "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
-      "[MOST-SAMPLES]\n"
-      "       LightBenchmark picture SCENE.vtk OUTPUT.ppm [PIXELS] [SAMPLES]\n");
+      "[MOST-SAMPLES]\n");
     return 2;
   }
   LightScene subject;
   benchmark::Load(subject, argv[2]);
-  if (what == "picture")
-  {
-    WritePicture(subject, argv[3], number(4, 64), static_cast<std::uint32_t>(number(5, 16)));
-    return 0;
-  }
   MeasureError(subject, argv[3], number(4, 24), static_cast<std::uint32_t>(number(5, 16384)),
     static_cast<std::uint32_t>(number(6, 1024)));
   return 0;

@@ -149,36 +149,4 @@ inline double SquaredError(const std::vector<glm::vec4>& a, const std::vector<gl
   return sum / (3.0 * static_cast<double>(a.size()));
 }
 
-/// A Gaussian over pixels, as the eye takes it from some distance: it takes noise away, but no ghost images.
-inline std::vector<glm::vec4> Blurred(const std::vector<glm::vec4>& image, int side)
-{
-  constexpr int reach = 4;
-  constexpr double sigma = 1.5;
-  const auto pass = [side](const std::vector<glm::vec4>& in, int dx, int dy)
-  {
-    std::vector<glm::vec4> out(in.size());
-    for (int y = 0; y < side; ++y)
-    {
-      for (int x = 0; x < side; ++x)
-      {
-        glm::dvec4 sum(0.0);
-        double weights = 0.0;
-        for (int k = -reach; k <= reach; ++k)
-        {
-          const int px = x + k * dx, py = y + k * dy;
-          if (px >= 0 && py >= 0 && px < side && py < side)
-          {
-            const double weight = std::exp(-k * k / (2.0 * sigma * sigma));
-            sum += weight * glm::dvec4(in[static_cast<std::size_t>(py) * side + px]);
-            weights += weight;
-          }
-        }
-        out[static_cast<std::size_t>(y) * side + x] = glm::vec4(sum / weights);
-      }
-    }
-    return out;
-  };
-  return pass(pass(image, 1, 0), 0, 1);
-}
-
 } // namespace benchmark

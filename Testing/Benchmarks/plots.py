@@ -11,26 +11,11 @@ import matplotlib
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import light  # noqa: E402
-import motion  # noqa: E402
 from frames import read_table  # noqa: E402
 from tables import path_of  # noqa: E402
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
-
-
-def speed(layout):
-    """A frame of ours and of each of ParaView's ways."""
-    rows = read_table(path_of("speed-" + layout))[::-1]
-    figure, axes = pyplot.subplots(figsize=(7, 0.5 * len(rows) + 1.2))
-    bars = axes.barh([row["name"] for row in rows], [float(row["wall"]) for row in rows],
-                     color=["#c44e52" if row["name"] == "ray-traced glyphs" else "#888888" for row in rows])
-    axes.bar_label(bars, fmt=" %.2f s")
-    axes.set_xscale("log")
-    axes.set_xlabel("seconds per frame, wall (280000 spheres, 1200 x 1200)")
-    axes.margins(x=0.15)
-    figure.tight_layout()
-    return figure
 
 
 def scale():
@@ -72,22 +57,6 @@ def lights():
     return figure
 
 
-def motions():
-    """Error of motion blur over time, per scheme and path length."""
-    results = motion.read(path_of("motion"))
-    figure, axes = pyplot.subplots(1, len(results), figsize=(4.6 * len(results), 4.4), squeeze=False, sharey=True)
-    for axis, (radii, schemes) in zip(axes[0], results.items()):
-        for name, rows in schemes.items():
-            axis.loglog([r[1][0] + r[2][0] for r in rows], [r[3] for r in rows], "o-", label=name, markersize=3)
-        axis.set_xlabel("processor seconds")
-        axis.set_title("path of %s radii" % radii)
-        axis.grid(True, which="both", alpha=0.3)
-    axes[0][0].set_ylabel("mean squared error")
-    axes[0][0].legend(fontsize=8)
-    figure.tight_layout()
-    return figure
-
-
 def superquadric_solvers():
     """Time over error, one panel for convex and one for mixed and concave glyphs. Every point is a solver in one arithmetic on all rays, random
     and hard: nanoseconds a ray against the 99.9th percentile of the error of t. Those with false hits or misses are hollow, with their fraction of the rays.
@@ -121,8 +90,7 @@ def superquadric_solvers():
 
 #: name -> (function that draws it, dots per inch)
 PLOTS = {
-    "speed-dilute": (lambda: speed("dilute"), 110), "speed-packed": (lambda: speed("packed"), 110), "scale": (scale, 90), "light": (lights, 90),
-    "motion": (motions, 100), "superquadric-solvers": (superquadric_solvers, 110),
+    "scale": (scale, 90), "light": (lights, 90), "superquadric-solvers": (superquadric_solvers, 110),
 }
 
 if __name__ == "__main__":

@@ -15,7 +15,6 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 sys.dont_write_bytecode = True
 import light  # noqa: E402
-import motion  # noqa: E402
 from frames import LOWER, UPPER, quartiles, read_table, spread_columns  # noqa: E402
 
 ROOT = os.path.join(HERE, "..", "..")
@@ -218,12 +217,6 @@ def light_cost():
                      for (scene, one), row in found.items() if one == "local"])
 
 
-def light_variance():
-    """What of a sample's variance which choice decides."""
-    return markdown(["scene", "light", "position in the pixel", "directions", "both together"],
-                    [[row["scene"], row["light"]] + ["%.2f" % row[part] for part in ("place", "directions", "both")] for row in rows("light-variance")])
-
-
 def motion_cost():
     """A sample of moving glyphs over one of the same at rest."""
     return markdown(["path in radii", "ratio to rest", "time segments", "build: s"],
@@ -310,10 +303,8 @@ TABLES = {
     "light": (DETAILS, ["light-spheres", "light-vessel", "light-tensors"],
               lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
     "light-cost": (BENCHMARKS, ["light-cost"], light_cost),
-    "light-variance": (DETAILS, ["light-variance"], light_variance),
     "motion-cost": (BENCHMARKS, ["motion-cost"], motion_cost),
     "steps": (DETAILS, ["steps"], steps),
-    "motion": (DETAILS, ["motion"], lambda: motion.table(path_of("motion"))),
     "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
     "hard-cases": (SHAPES, ["shape-errors"], hard_cases),
     "superquadric-errors": (SHAPES, ["superquadric-errors"], superquadric_errors),
