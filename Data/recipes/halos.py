@@ -27,7 +27,7 @@ shown = Show(halos, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
 shown.GlyphType = "Sphere"
 shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "mvir"
-shown.GlyphScaleFunction = "Cube Root"  # volumes are as masses
+shown.GlyphScaleFunction = "Cube Root"  # volumes are proportional to masses
 ColorBy(shown, ("POINTS", "mvir"))
 GetColorTransferFunction("mvir").MapControlPointsToLogSpace()
 GetColorTransferFunction("mvir").UseLogScale = 1

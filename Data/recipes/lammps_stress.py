@@ -32,7 +32,7 @@ shown.SetRepresentationType("Ray Traced Glyphs")
 shown.GlyphShape = "Signed Tensor Superquadric"
 shown.GlyphTensorArray = "c_s[1], c_s[2], c_s[3], c_s[4], c_s[5], c_s[6]"
 shown.GlyphTensorLayout = "xx yy zz xy xz yz"
-shown.GlyphScaleFunction = "Square Root"  # small ones are seen, too
+shown.GlyphScaleFunction = "Square Root"  # small ones are visible, too
 shown.GlyphTensorColoring = "Sign"  # red is tension, blue pressure
 # --- end
 
