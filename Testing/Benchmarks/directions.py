@@ -18,7 +18,7 @@ import time
 
 import numpy
 
-from frames import figures_of, memory, turning, write_table
+from frames import begin, figures_of, memory, source, turning, work, write_table
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Data"))
@@ -115,14 +115,6 @@ def curves():
                      value=numpy.tile(t[0, :, 0], CURVES))
 
 
-def source(pv, data):
-    """A source of these data."""
-    producer = pv.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(data)
-    producer.UpdatePipeline()
-    return producer
-
-
 def show(pv, producer, view, kind, factor):
     """A display of this kind, not yet rendered."""
     shown = pv.Show(producer, view)
@@ -146,10 +138,7 @@ def measure(kind, size, frames, folder):
     """The figures of this process."""
     import paraview.simple as pv
 
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
-    view = pv.CreateView("RenderView")
-    view.ViewSize = [size, size]
+    view = begin(size)
     pv.Render(view)
     radius, making = 0.002, 0.0
     if kind.startswith(("spherical", "meshes")):
@@ -171,7 +160,7 @@ def measure(kind, size, frames, folder):
         peak.write("5")  # VmHWM begins anew
     view.CameraPosition, view.CameraFocalPoint = list(middle + numpy.array([0.3, -0.6, 1.5]) * reach), list(middle)
     start = time.monotonic()
-    producer = source(pv, data)
+    producer = source(data)
     if kind.startswith("Tube"):
         producer = pv.Tube(Input=producer, Radius=radius, NumberofSides=12, VaryRadius="Off", Capping=1)
         producer.UpdatePipeline()
@@ -180,9 +169,7 @@ def measure(kind, size, frames, folder):
     first = time.monotonic() - start
     figures = {"first": first, "making": making, **turning(lambda: pv.Render(view), frames), "bytes": memory("VmHWM") - before}
     if not kind.startswith(("meshes", "Tube")):
-        statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))
-        figures.update({"glyphs": statistics["glyphs"], "device bytes": statistics["deviceBytes"]})
-        figures.update({stage: statistics[stage] for stage in statistics if stage.endswith("Seconds")})
+        figures.update(work(shown))
     pv.SaveScreenshot(os.path.join(folder, "directions-%s.png" % kind.replace(",", "").replace(" ", "-")), view)
     print(json.dumps(figures), flush=True)
     os._exit(0)

@@ -1,6 +1,7 @@
 """What a frame costs while the camera turns, memory, and rows of tables that have processes of their own."""
 import csv
 import json
+import os
 import resource
 import statistics
 import subprocess
@@ -62,6 +63,40 @@ def turning(render, frames, of_wall="frame", of_cpu="frame cpu"):
         camera.Azimuth(1.0)
         found.append(seconds_of(render))
     return columns(found, of_wall, of_cpu)
+
+
+def begin(pixels):
+    """The first view of a process, of so many pixels a side, with the plugin loaded."""
+    import paraview.simple as pv
+
+    pv._DisableFirstRenderCameraReset()
+    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
+    view = pv.CreateView("RenderView")
+    view.ViewSize = [pixels, pixels]
+    return view
+
+
+def source(data):
+    """A source of these data, of which ParaView knows the arrays and their ranges."""
+    import paraview.simple as pv
+
+    producer = pv.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    producer.UpdatePipeline()
+    producer.GetDataInformation().GetNumberOfPoints()
+    return producer
+
+
+def counters(shown):
+    """RenderStatistics."""
+    shown.UpdatePropertyInformation()
+    return json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
+
+
+def work(shown):
+    """Numbers of glyphs and bytes, and seconds of stages, as columns."""
+    found = counters(shown)
+    return {"glyphs": found["glyphs"], "device bytes": found["deviceBytes"], **{name: found[name] for name in found if name.endswith("Seconds")}}
 
 
 def memory(name, process="self"):

@@ -57,23 +57,12 @@ def scene(count):
     return blocks
 
 
-def counters(shown):
-    """RenderStatistics."""
-    shown.UpdatePropertyInformation()
-    return json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
-
-
 def measure(count):
     """The figures of this process."""
     import paraview.simple as pv
 
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
-    producer = pv.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(scene(count))
-    producer.UpdatePipeline()
-    view = pv.CreateView("RenderView")
-    view.ViewSize = [64, 48]
+    view = frames.begin(56)
+    producer = frames.source(scene(count))
     view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 4.0], [0.5, 0.5, 0.5]
     shown = pv.Show(producer, view)
     shown.SetRepresentationType("Ray Traced Glyphs")
@@ -81,18 +70,18 @@ def measure(count):
     shown.Orient, shown.ScaleMode, shown.SelectScaleArray = 0, "Magnitude", "length"
     shown.SetScalarColoring("length", pv.servermanager.GetAssociationFromString("POINTS"))
     pv.Render(view)
-    first = counters(shown)
+    first = frames.counters(shown)
     figures = {stage: first[stage] for stage in STAGES + KERNELS}
     for name, values in EDITS.items():
         least = {}
         for _ in range(2):
             for value in values:
-                before = counters(shown)
+                before = frames.counters(shown)
                 start = time.monotonic()
                 setattr(shown, name, value)
                 pv.Render(view)
                 seconds = time.monotonic() - start
-                after = counters(shown)
+                after = frames.counters(shown)
                 for counter in ("gathers", "boundsBuilds", "instanceBuilds", "instanceUploads", "structureBuilds"):
                     if after[counter] != before[counter]:
                         print("%s = %s: %s moved" % (name, value, counter), file=sys.stderr)

@@ -13,7 +13,7 @@ import json
 import os
 import time
 
-from frames import figures_of, memory, turning, write_table
+from frames import begin, counters, figures_of, memory, turning, write_table
 
 #: ranks, shading mode, ParallelLight, radius in distances of the points
 PLAN = [(ranks, mode, light, radius) for ranks in (1, 2, 4) for mode, light, radius in (
@@ -31,13 +31,10 @@ def measure(arguments):
     """One row, on all ranks that run this."""
     import paraview.simple as pv
 
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=globals())
+    view = begin(arguments.size)
     half = arguments.side // 2
     grid = pv.Wavelet(WholeExtent=[-half, half] * 3)
     kept = pv.Calculator(Input=grid, ResultArrayName="kept", Function="if(coordsY^2+coordsZ^2<%g,0,1)" % (half / 3.0) ** 2)
-    view = pv.CreateView("RenderView")
-    view.ViewSize = [arguments.size, arguments.size]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     shown = pv.Show(kept, view)
@@ -50,7 +47,7 @@ def measure(arguments):
     start = time.monotonic()
     pv.Render(view)
     first = time.monotonic() - start
-    told = json.loads(shown.GetPropertyValue("RenderStatistics"))
+    told = counters(shown)
     times = turning(lambda: pv.Render(view), arguments.frames)
     print(json.dumps({"glyphs": told["glyphs"], "from others": told["neighborGlyphs"], "bytes from others": told["neighborBytes"],
                       "device bytes": told["deviceBytes"], "memory a rank": largest_process(), "first picture": round(first, 3), **times}))

@@ -17,7 +17,7 @@ import time
 
 import numpy
 
-from frames import figures_of, memory, turning, write_table
+from frames import begin, figures_of, memory, source, turning, work, write_table
 
 KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
 #: those that are measured of each number of points
@@ -48,15 +48,6 @@ def points_of(count, kind):
         array.SetName(name)
         data.GetPointData().AddArray(array)
     return data
-
-
-def source(pv, data):
-    """A source of these data, of which ParaView knows the arrays and their ranges."""
-    producer = pv.TrivialProducer()
-    producer.GetClientSideObject().SetOutput(data)
-    producer.UpdatePipeline()
-    producer.GetDataInformation().GetNumberOfPoints()
-    return producer
 
 
 def show(pv, producer, view, kind):
@@ -94,18 +85,15 @@ def measure(count, kind, size, frames):
     """The figures of this process."""
     import paraview.simple as pv
 
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
-    view = pv.CreateView("RenderView")
-    view.ViewSize = [size, size]
+    view = begin(size)
     view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 3.2], [0.5, 0.5, 0.5]
-    warming = show(pv, source(pv, points_of(100, kind)), view, kind)
+    warming = show(pv, source(points_of(100, kind)), view, kind)
     pv.Render(view)
     pv.Delete(warming)
     data = points_of(count, kind)
     before = memory("VmRSS")
     start = time.monotonic()
-    producer = source(pv, data)
+    producer = source(data)
     information = time.monotonic() - start
     shown = show(pv, producer, view, kind)
     pv.Render(view)
@@ -115,9 +103,7 @@ def measure(count, kind, size, frames):
     figures = {"first": first, "information": information, **turning(view.SMProxy.InteractiveRender, frames, "turning", "turning cpu"),
                **turning(lambda: pv.Render(view), frames), "before bytes": before, "peak bytes": memory("VmHWM"), "end bytes": memory("VmRSS")}
     if kind not in ("Point Gaussian", "3D Glyphs"):
-        statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))
-        figures.update({"glyphs": statistics["glyphs"], "device bytes": statistics["deviceBytes"]})
-        figures.update({stage: statistics[stage] for stage in statistics if stage.endswith("Seconds")})
+        figures.update(work(shown))
     print(json.dumps(figures), flush=True)
     os._exit(0)
 

@@ -19,7 +19,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Data"))
 sys.dont_write_bytecode = True
 import spheres_280k  # noqa: E402
-from frames import figures_of, memory, turning, write_table  # noqa: E402
+from frames import counters, figures_of, memory, turning, write_table  # noqa: E402
 
 OURS = "ray-traced glyphs"
 #: competitor -> theta and phi resolution of its sphere, or None
@@ -83,9 +83,8 @@ def measure(name, scene, count, size, frames, folder):
     pv.Render(view)
     figures = {"name": name, "first": time.monotonic() - start}
     if name == OURS:
-        shown.UpdatePropertyInformation()
-        counters = json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
-        figures.update({stage: counters.get(stage, "") for stage in STAGES})
+        found = counters(shown)
+        figures.update({stage: found.get(stage, "") for stage in STAGES})
 
     figures.update(turning(lambda: pv.Render(view), frames, "wall", "cpu"))
     figures.update(megabytes=resident_megabytes(), scene_megabytes=resident_megabytes() - before_megabytes)

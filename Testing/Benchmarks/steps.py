@@ -13,26 +13,16 @@ import time
 
 import paraview.simple as pv
 
-from frames import memory
+from frames import begin, counters, memory
 
 STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds")
-
-
-def statistics(shown):
-    """RenderStatistics as a dictionary."""
-    import json
-    shown.UpdatePropertyInformation()
-    return json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
 
 
 def main():
     """Plays and measures."""
     folder, output = sys.argv[1], sys.argv[2]
     steps, pixels, blur = [int(value) for value in sys.argv[3:6]] + [200, 800, 0][len(sys.argv[3:6]):]
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
-    view = pv.CreateView("RenderView")
-    view.ViewSize = [pixels, pixels]
+    view = begin(pixels)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [1.8, 9.0, 2.5], [1.8, 0.0, 0.0], [0.0, 0.0, 1.0]
     wall = pv.OpenDataFile(os.path.join(folder, "chamber.vtk"))
     surface = pv.Show(wall, view)
@@ -56,14 +46,14 @@ def main():
     rows = []
     for step in range(steps):
         now = times[(step + 1) % len(times)]
-        before = statistics(shown)
+        before = counters(shown)
         start = time.perf_counter()
         view.ViewTime = now
         pv.UpdatePipeline(now, series)
         read = time.perf_counter()
         pv.Render(view)
         end = time.perf_counter()
-        after = statistics(shown)
+        after = counters(shown)
         row = {"step": step, "pipeline": read - start}
         row.update({stage[:-7]: after[stage] - before[stage] for stage in STAGES})
         row["other"] = end - read - sum(row[stage[:-7]] for stage in STAGES)

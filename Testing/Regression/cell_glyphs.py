@@ -1,5 +1,5 @@
-"""Glyphs at the centers of cells, GlyphLocation Cells: lists offer the arrays of cells, pictures are those of points put at
-the centers by hand, ghost cells have no glyph, and selecting picks cells.
+"""Glyphs at the centers of cells, with GlyphLocation Cells and of hyper tree grids: lists offer the arrays of cells, pictures are those of points
+put at the centers by hand, ghost cells have no glyph, and selecting picks cells.
 
 Usage: pvpython cell_glyphs.py
 """
@@ -10,9 +10,15 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_EMPTY_CELL, VTK_HEXAHEDRON, VTK_TETRA, VTK_TRIANGLE, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid)
 
+
 import session
 from checks import Checks
 
+#: the arrays that the properties of a hyper tree grid's glyphs are to offer
+OFFERED = {
+    "SelectScaleArray": ("size", "extent"), "SelectOrientationVectors": ("flow",), "GlyphTensorArray": ("stress",),
+    "VelocityArray": ("flow",), "AccelerationArray": ("flow",), "AngularVelocityArray": ("flow",),
+    "GlyphExponentArray": ("size", "extent"), "PointIdArray": ("size",), "GlyphTableIndexArray": ("size",)}
 GHOST = vtkDataSetAttributes.DUPLICATECELL
 RANDOM = numpy.random.default_rng(7)
 
@@ -20,7 +26,7 @@ RANDOM = numpy.random.default_rng(7)
 def arrays(count):
     """Cell arrays of each kind."""
     half = RANDOM.normal(size=(count, 3, 3))
-    return {"size": RANDOM.uniform(0.3, 0.9, count), "flow": RANDOM.normal(size=(count, 3)),
+    return {"size": RANDOM.uniform(0.3, 0.9, count), "extent": RANDOM.uniform(0.3, 0.9, (count, 3)), "flow": RANDOM.normal(size=(count, 3)),
             "stress": (0.2 * half @ half.transpose(0, 2, 1)).reshape(count, 9)}
 
 
@@ -30,9 +36,10 @@ def with_arrays(data, values, ghosts=None):
         cells = numpy_to_vtk(array, deep=True)
         cells.SetName(name)
         data.GetCellData().AddArray(cells)
-    other = numpy_to_vtk(numpy.ones(data.GetNumberOfPoints()), deep=True)
-    other.SetName("of points")
-    data.GetPointData().AddArray(other)
+    if data.IsA("vtkDataSet"):
+        other = numpy_to_vtk(numpy.ones(data.GetNumberOfPoints()), deep=True)
+        other.SetName("of points")
+        data.GetPointData().AddArray(other)
     if ghosts is not None:
         marks = numpy_to_vtk(numpy.array(ghosts, dtype=numpy.uint8), deep=True)
         marks.SetName(vtkDataSetAttributes.GhostArrayName())
@@ -67,6 +74,16 @@ def grid():
     return with_arrays(data, values), centers, [0, 2, 3], values
 
 
+def trees():
+    """The same of a hyper tree grid: two trees beside each other, one of them refined and so without a glyph of its own."""
+    data, leaves = session.hyper_tree_grid()
+    numbers, centers = list(leaves), numpy.zeros((data.GetNumberOfCells(), 3))
+    centers[numbers] = list(leaves.values())
+    values, ghosts = arrays(len(centers)), numpy.zeros(len(centers))
+    ghosts[numbers[1]] = GHOST
+    return with_arrays(data, values, ghosts), centers, numbers[:1] + numbers[2:], values
+
+
 def offered(shown, name):
     """The arrays that a property's list shows."""
     domain = shown.SMProxy.GetProperty(name).GetDomain("array_list")
@@ -74,18 +91,25 @@ def offered(shown, name):
 
 
 def lists(checks, stage, data):
-    """They follow GlyphLocation both ways."""
+    """They follow GlyphLocation both ways, which hyper tree grids have no need of."""
     shown = stage.show(data, "Sphere", Orient=0)
+    if not data.IsA("vtkDataSet"):
+        for name, wanted in OFFERED.items():
+            found = offered(shown, name)
+            checks.true("%s offers %s, not %s" % (name, found, list(wanted)), set(wanted) <= set(found))
+        return
     for location, wanted, other in (("Points", "of points", "size"), ("Cells", "size", "of points"), ("Points", "of points", "size")):
         stage.settings.add({"GlyphLocation": location})
         found = offered(shown, "GlyphRadiusArray")
         checks.true("%s: GlyphRadiusArray offers %s" % (location, found), wanted in found and other not in found)
 
 
-def pictures(checks, what, stages):
+def pictures(checks, what, stages, count):
     """Of cells, beside those of points at their centers; stages: by GlyphLocation, with their data and hidden."""
     cases = (("size", "Sphere", {"ScaleMode": "Magnitude", "SelectScaleArray": "size", "Orient": 0}), ("direction", "Arrow", {"SelectOrientationVectors": "flow"}),
-             ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}))
+             ("extent", "Box", {"SelectScaleArray": "extent", "ScaleMode": "Vector Components", "Orient": 0}),
+             ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}),
+             ("velocity", "Sphere", {"MotionBlur": 1, "VelocityArray": "flow", "Orient": 0, "SamplesPerPixel": 8}))
     for name, shape, properties in cases:
         seen = []
         for location, association in (("Points", "POINTS"), ("Cells", "CELLS")):
@@ -93,7 +117,8 @@ def pictures(checks, what, stages):
             shown = settings.shown
 
             def draw():
-                settings.set({"Visibility": 1, "GlyphLocation": location, **session.shaped(shape), "ScaleFactor": 0.5, **properties})
+                where = {"GlyphLocation": location} if what != "trees" else {}
+                settings.set({"Visibility": 1, **where, **session.shaped(shape), "ScaleFactor": 0.5, **properties})
                 pv.ColorBy(shown, (association, "size"))
                 shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
                 shown.SetScalarBarVisibility(view, False)
@@ -101,7 +126,7 @@ def pictures(checks, what, stages):
 
             said = session.messages(draw)
             checks.no_message("%s, %s of %s" % (what, name, location), said)
-            checks.equal("%s, %s: glyphs" % (what, name), session.statistics(shown)["glyphs"], 5 if what == "image" else 3)
+            checks.equal("%s, %s: glyphs" % (what, name), session.statistics(shown)["glyphs"], count)
             seen.append(session.capture(view, "cell-glyphs-%s-%s-%s" % (what, name, location)))
             stages[location].hide()
         checks.covered("%s, %s" % (what, name), seen[0], 0.005)
@@ -135,21 +160,22 @@ def blocks(checks, view):
 
 
 def main():
-    """Of a structured and an unstructured grid."""
+    """Of a structured and an unstructured grid, and of a hyper tree grid."""
     session.load()
     checks = Checks()
     view = session.view(200, 150)
     session.look(view, (0.0, 0.0, 5.0))
     points = session.Stage(view)
-    for what, (data, centers, numbers, values) in (("image", image()), ("grid", grid())):
+    for what, (data, centers, numbers, values) in (("image", image()), ("grid", grid()), ("trees", trees())):
         # ParaView has a kind of display for each kind of data.
         cells = session.Stage(view)
         lists(checks, cells, data)
         # Before the pictures, which leave a coloring.
-        selecting(checks, cells, what, data, centers, numbers)
+        if what != "trees":  # selection_through.py
+            selecting(checks, cells, what, data, centers, numbers)
         points.show(session.poly_data(centers[numbers], **{name: array[numbers] for name, array in values.items()}))
         points.hide()
-        pictures(checks, what, {"Points": points, "Cells": cells})
+        pictures(checks, what, {"Points": points, "Cells": cells}, len(numbers))
         cells.close()
     points.close()
     blocks(checks, view)

@@ -5,7 +5,6 @@ Usage: pvpython selection_through.py
 import numpy
 import paraview.simple as pv
 from vtkmodules.vtkCommonDataModel import vtkCellArray
-from vtkmodules.vtkFiltersSources import vtkHyperTreeGridSource
 
 import session
 from checks import Checks
@@ -93,29 +92,15 @@ def surfaces(checks):
 
 def hyper_tree_grid(checks):
     """Glyphs of a hyper tree grid are its cells, and so are the parts of its surface."""
-    maker = vtkHyperTreeGridSource()
-    maker.SetDimensions(3, 2, 1)  # two trees in a row, of which the second one is refined
-    maker.SetGridScale(1.5, 1.5, 1.5)
-    maker.SetOrigin(-1.5, -0.75, 0.0)
-    maker.SetBranchFactor(2)
-    maker.SetMaxDepth(2)
-    maker.SetDescriptor(".R | ....")
-    maker.Update()
-    data = maker.GetOutput()
+    data, leaves = session.hyper_tree_grid()
     view, _ = stage()
     source = session.source(data)
-    bounds = [0.0] * 6
     for kind in (session.REPRESENTATION, SURFACE):
         shown = session.glyphs(source, view, Orient=0, ScaleFactor=0.6)
         shown.SetRepresentationType(kind)
         pv.Render(view)
-        for tree, child in ((0, None), (1, 0), (1, 1), (1, 2), (1, 3)):
-            cursor = data.NewNonOrientedGeometryCursor(tree)
-            if child is not None:
-                cursor.ToChild(child)
-            cursor.GetBounds(bounds)
-            at = pixel((bounds[0] + bounds[1]) / 2 + 0.03, (bounds[2] + bounds[3]) / 2 + 0.03)
-            cell = cursor.GetGlobalNodeIndex()
+        for cell, center in leaves.items():
+            at = pixel(*(center[:2] + 0.03))
             expect(checks, "hyper tree grid as %s, cell %d" % (kind, cell), view, "CELL", at, source, cell)
         pv.Delete(shown)
     pv.Delete(view)

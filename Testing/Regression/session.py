@@ -13,6 +13,7 @@ from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCollection, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkHyperTreeGridSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 REPRESENTATION = "Ray Traced Glyphs"
@@ -105,6 +106,26 @@ def add_arrays(data, **arrays):
         array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
         array.SetName(name)
         data.GetPointData().AddArray(array)
+
+
+def hyper_tree_grid():
+    """(two trees in a row, of which the second one is refined; {number: center} of the cells that have no children)."""
+    maker = vtkHyperTreeGridSource()
+    maker.SetDimensions(3, 2, 1)
+    maker.SetGridScale(1.5, 1.5, 1.5)
+    maker.SetOrigin(-1.5, -0.75, 0.0)
+    maker.SetBranchFactor(2)
+    maker.SetMaxDepth(2)
+    maker.SetDescriptor(".R | ....")
+    maker.Update()
+    data, leaves, bounds = maker.GetOutput(), {}, [0.0] * 6
+    for tree, child in ((0, None), (1, 0), (1, 1), (1, 2), (1, 3)):
+        cursor = data.NewNonOrientedGeometryCursor(tree)
+        if child is not None:
+            cursor.ToChild(child)
+        cursor.GetBounds(bounds)
+        leaves[cursor.GetGlobalNodeIndex()] = numpy.reshape(bounds, (3, 2)).mean(axis=1)
+    return data, leaves
 
 
 def source(data):

@@ -6,6 +6,7 @@ SOURCE is the folder with Kernels and Representation. Fields are read out of the
 its property in every_property.py says, and must build the glyphs anew, unless it has an entry in FIELDS. So are the arrays
 of GlyphArrays::All(), of which each has an entry.
 """
+import json
 import os
 import re
 import sys
@@ -320,13 +321,17 @@ class Bench:
         else:
             self.settings.add(change)
         pv.Render(self.view)
+        alive = json.loads(shown.SMProxy.GetProperty("RenderStatistics").GetElement(0))
         after = session.statistics(shown)
+        self.checks.true(what + ": RenderStatistics is not of the last picture until it is updated", alive == after)
         moved = {name for name in after if not UNCOUNTED.search(name) and after[name] != before[name]}
         surplus = moved - KINDS[kind]
         missing = MUST.get(kind, set()) - moved
         print("%s (%s): %s" % (what, kind, ", ".join(sorted(moved)) or "nothing"))
         self.checks.true("%s: also %s" % (what, ", ".join(sorted(surplus))), not surplus)
         self.checks.true("%s: not %s" % (what, ", ".join(sorted(missing))), not missing)
+        if kind in SAME_SHADERS:
+            self.checks.equal(what + ": pipelineBuilds", after["pipelineBuilds"], before["pipelineBuilds"])
 
 
 def main():
@@ -383,6 +388,18 @@ def main():
         new.GetPointData().AddArray(data("other").GetPointData().GetArray("other"))
         session.replace_data(bench.source, new)
 
+    bench.expect("nothing", {}, {}, "nothing")
+    bench.expect("camera", {}, lambda: session.look(bench.view, (1.0, 0.5, 5.0)), "camera")
+    bench.expect("positions of balls", {}, lambda: session.replace_data(bench.source, data("")), "new balls")
+    # Meshes, a table of them and a shape without a mesh stay whatever else changes.
+    for properties in ({"GlyphType": lambda: session.triangles(pv.Cone(Resolution=6))}, TABLE, {"GlyphType": "Box"}):
+        for name, value, kind in (("Pickable", 0, "nothing"), ("Specular", 0.4, "image"), ("Exposure", 0.5, "display"), ("SamplesPerPixel", 3, "image")):
+            bench.expect("%s of %s" % (name, properties.get("GlyphType", "a table")), properties, {name: value}, kind)
+
+    def change_colors():
+        bench.shown.LookupTable.ApplyPreset("Black-Body Radiation", True)
+
+    bench.expect("color map", {"ColorArrayName": ["POINTS", "color"]}, change_colors, "colors")
     KINDS["gather"] = {"gathers"}
     bench.expect("array that is not shown", {}, give_unused, "gather")
     bench.expect("the same data again", {}, lambda: session.replace_data(bench.source, data()),
@@ -390,6 +407,10 @@ def main():
     checks.report()
 
 
+#: another view of the same scene, and other points of it, which no other shaders show
+KINDS["camera"], MUST["camera"] = KINDS["image"], MUST["image"]
+KINDS["new balls"], MUST["new balls"] = KINDS["glyphs"] | {"gathers"}, MUST["glyphs"] | {"gathers", "structureBuilds"}
+SAME_SHADERS = ("nothing", "display", "camera", "colors", "new balls")
 #: points, or the mesh of glyphs, from the pipeline
 KINDS["new data"] = KINDS["glyphs"] | {"gathers"}
 MUST["new data"] = MUST["glyphs"] | {"gathers"}

@@ -98,7 +98,7 @@ fetch_source() {
     fail "cannot fetch $source_suite's index of source packages. No network, or the machine's mirror carries no sources.
 $(grep -E '^(E|W|Err)' "$apt/update.log" | head -n 5)"
   version=$(apt-cache "${options[@]}" showsrc --only-source paraview 2>/dev/null |
-    sed -n "s/^Version: \($paraview_version[+-].*\)/\1/p" | head -n 1)
+    sed -n "s/^Version: \(${paraview_version}[+-].*\)/\1/p" | head -n 1)
   [ -n "$version" ] || fail "$source_suite's sources have no ParaView $paraview_version"
   echo "source: paraview $version"
   (cd "$build_dir" && apt-get "${options[@]}" source --download-only --tar-only "paraview=$version") ||
