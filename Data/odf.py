@@ -10,7 +10,7 @@ distribution of directions n of one Gaussian is (4 pi)^-1 |D|^(-1/2) (n^T D^-1 n
 distribution function in single- and multiple-shell q-ball imaging within constant solid angle", Magnetic Resonance in Medicine 64(2), 2010),
 whose integral over the sphere is 1. The sum is projected on real harmonics of even bands up to 8 by Gauss and trapezoid quadrature.
 
-Arrays: odf (45 components, the basis MRtrix3 of the property GlyphHarmonicsBasis), shares (of the arc, of the straight bundle).
+Arrays: odf (45 components, the basis MRtrix3 of the property GlyphHarmonicsBasis), fractions (of the arc, of the straight bundle).
 """
 import math
 import sys
@@ -57,7 +57,7 @@ def bundle_distribution(axes, directions):
 
 
 def field(side):
-    """Centers of voxels, (coefficients, shares)."""
+    """Centers of voxels, (coefficients, fractions)."""
     layers = max(1, side // 4)
     z, y, x = numpy.meshgrid(numpy.arange(layers), numpy.arange(side), numpy.arange(side), indexing="ij")
     points = numpy.stack([x, y, z], axis=-1).reshape(-1, 3).astype(float)
@@ -66,22 +66,22 @@ def field(side):
     radius = numpy.hypot(at[:, 0], at[:, 1])
     arc = numpy.stack([-at[:, 1], at[:, 0], numpy.zeros(len(at))], axis=1) / numpy.maximum(radius, 1e-9)[:, None]
     straight = numpy.tile(numpy.array([1.0, 1.0, 0.3]) / math.sqrt(2.09), (len(at), 1))
-    shares = numpy.stack([0.9 * numpy.exp(-((radius - 0.75) / 0.16) ** 4),
-                          0.9 * numpy.exp(-((at[:, 0] - at[:, 1]) / 0.22) ** 4)], axis=1)
-    shares /= numpy.maximum(shares.sum(axis=1) / 0.95, 1.0)[:, None]
+    fractions = numpy.stack([0.9 * numpy.exp(-((radius - 0.75) / 0.16) ** 4),
+                             0.9 * numpy.exp(-((at[:, 0] - at[:, 1]) / 0.22) ** 4)], axis=1)
+    fractions /= numpy.maximum(fractions.sum(axis=1) / 0.95, 1.0)[:, None]
     directions, weights = quadrature()
     basis = harmonics(directions)
     project = basis * weights[:, None]
     odf = numpy.zeros((len(points), basis.shape[1]))
-    odf[:, 0] = (1.0 - shares.sum(axis=1)) / math.sqrt(4.0 * math.pi)  # the free part: 1 / (4 pi) everywhere
+    odf[:, 0] = (1.0 - fractions.sum(axis=1)) / math.sqrt(4.0 * math.pi)  # the free part: 1 / (4 pi) everywhere
     for part in range(0, len(points), 2000):
         rows = slice(part, part + 2000)
-        for share, axes in zip(shares.T, (arc, straight)):
-            odf[rows] += share[rows, None] * (bundle_distribution(axes[rows], directions) @ project)
-    return points, odf, shares
+        for fraction, axes in zip(fractions.T, (arc, straight)):
+            odf[rows] += fraction[rows, None] * (bundle_distribution(axes[rows], directions) @ project)
+    return points, odf, fractions
 
 
-def write(path, points, odf, shares):
+def write(path, points, odf, fractions):
     """Legacy binary VTK: a vertex for each voxel."""
     count = len(points)
     with open(path, "wb") as file:
@@ -90,7 +90,7 @@ def write(path, points, odf, shares):
         cells = numpy.stack([numpy.ones(count), numpy.arange(count)], axis=1)
         file.write(b"\nVERTICES %d %d\n" % (count, 2 * count) + cells.astype(">i4").tobytes())
         file.write(b"\nPOINT_DATA %d\nFIELD arrays 2\n" % count)
-        for name, values in ((b"odf", odf), (b"shares", shares)):
+        for name, values in ((b"odf", odf), (b"fractions", fractions)):
             file.write(b"%s %d %d float\n" % (name, values.shape[1], count) + values.astype(">f4").tobytes() + b"\n")
 
 

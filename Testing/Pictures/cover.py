@@ -125,7 +125,7 @@ def packing(_, folder):
 def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
-    share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="shares_X+shares_Y")
+    share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="fractions_X+fractions_Y")
     figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphScaleFunction="All the Same", ScaleFactor=1.15,
            GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((20.0, -14.0, 20.0), (9.6, 9.3, 1.5)), angle=30.0)
 
