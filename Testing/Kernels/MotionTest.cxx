@@ -99,7 +99,7 @@ TEST_P(MotionTest, NoVelocityIsTheImageAtRest)
 class MotionOfShapes : public MotionTest
 {
 protected:
-  // Distance and normal of the nearest glyph, turning along a parabola, are those in double at the same time.
+  // Glyphs turn along parabolas.
   void ExpectRaysMeetWhatIsThere(rtg::Shape shape)
   {
     MovingGlyphs make(4);
@@ -108,52 +108,7 @@ protected:
     instances.motion.shutterClose = 0.4f;
     this->Add(instances);
     EXPECT_TRUE(this->HasSlices());
-    std::vector<rtg::testing::Probe> probes;
-    for (int i = 0; i < 1000; ++i)
-    {
-      // At a glyph where it then is, so that most rays hit.
-      rtg::testing::Probe probe;
-      probe.time = make.Uniform(0.0f, 0.9999f);
-      const Double::Glyph glyph = GlyphAt(instances, i % 40, instances.motion.Time(probe.time));
-      probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
-      probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.1f)) - probe.origin);
-      probes.push_back(probe);
-    }
-    const auto found = rtg::testing::TraceProbes(this->scene, probes);
-    int hits = 0, doubtful = 0;
-    for (std::size_t i = 0; i < probes.size(); ++i)
-    {
-      Double::GlyphRay ray{};
-      ray.origin = probes[i].origin;
-      ray.direction = glm::dvec3(probes[i].direction);
-      double nearest = INFINITY;
-      std::size_t hit = Image::noGlyph;
-      const double time = instances.motion.Time(probes[i].time);
-      for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
-      {
-        double t;
-        const bool met = Double::IntersectGlyph(shape, ray, GlyphAt(instances, glyph, time), 0.0, 100.0, t);
-        if (met && t < nearest)
-        {
-          nearest = t;
-          hit = glyph;
-        }
-      }
-      // A ray that grazes a glyph or an edge within rounding may see either.
-      if (found[i].glyphId != (hit & 0xffffffffu) || (hit != Image::noGlyph && std::abs(found[i].t - nearest) > 1e-4))
-      {
-        ++doubtful;
-        continue;
-      }
-      if (hit != Image::noGlyph)
-      {
-        ++hits;
-        const glm::dvec3 normal = Double::GlyphNormal(shape, ray, GlyphAt(instances, hit, time), nearest);
-        doubtful += glm::length(normal - glm::dvec3(found[i].normal)) > 1e-3;
-      }
-    }
-    EXPECT_GT(hits, 500);
-    EXPECT_LE(doubtful, 3);
+    this->ExpectRaysMeet(shape, instances, [&](std::size_t i, double time) { return GlyphAt(instances, i, time); });
   }
 
   // A single glyph that turns along a parabola.

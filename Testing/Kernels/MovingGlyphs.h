@@ -1,6 +1,7 @@
 // Glyphs that move, the same in double, and what their images and rays are held against.
 #pragma once
 
+#include "Probes.h"
 #include "Scene.h"
 #include "SceneState.h"
 #include "SharedDevice.h"
@@ -142,6 +143,57 @@ protected:
     this->scene.SetInstances(id, instances);
     this->scene.Commit();
     return id;
+  }
+
+  // Rays at random times meet what `glyphAt` says of each glyph in double.
+  void ExpectRaysMeet(rtg::Shape shape, const rtg::GlyphInstances& instances,
+    const std::function<Double::Glyph(std::size_t, double)>& glyphAt, bool namesTriangles = false)
+  {
+    MovingGlyphs make(4);
+    const std::size_t count = instances.Count();
+    std::vector<rtg::testing::Probe> probes;
+    for (int i = 0; i < 1000; ++i)
+    {
+      // At a glyph where it then is, so that most rays hit.
+      rtg::testing::Probe probe;
+      probe.time = make.Uniform(0.0f, 0.9999f);
+      const Double::Glyph glyph = glyphAt(i % count, instances.motion.Time(probe.time));
+      probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
+      probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.1f)) - probe.origin);
+      probes.push_back(probe);
+    }
+    const auto found = rtg::testing::TraceProbes(this->scene, probes);
+    int hits = 0, doubtful = 0;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+    {
+      Double::GlyphRay ray{};
+      ray.origin = probes[i].origin;
+      ray.direction = glm::dvec3(probes[i].direction);
+      const double time = instances.motion.Time(probes[i].time);
+      double nearest = INFINITY;
+      glm::dvec3 normal(0.0);
+      std::size_t hit = Image::noGlyph;
+      for (std::size_t glyph = 0; glyph < count; ++glyph)
+      {
+        const Double::Glyph there = glyphAt(glyph, time);
+        double t;
+        if (Double::IntersectGlyph(shape, ray, there, 0.0, 100.0, t) && t < nearest)
+        {
+          nearest = t;
+          hit = glyph;
+          normal = Double::GlyphNormal(shape, ray, there, t);
+        }
+      }
+      // A ray that grazes a glyph or an edge within rounding may see either.
+      const bool met = hit != Image::noGlyph;
+      hits += met;
+      doubtful += met != std::isfinite(found[i].t) ||
+        (met &&
+          ((!namesTriangles && found[i].glyphId != hit) || std::abs(found[i].t - nearest) > 1e-4 ||
+            glm::length(normal - glm::dvec3(found[i].normal)) > 1e-3));
+    }
+    EXPECT_GT(hits, 500);
+    EXPECT_LE(doubtful, 3);
   }
 
   std::vector<glm::vec4> Means()

@@ -1,7 +1,6 @@
 // Meshes that move as a whole or position by position, against boxes in double and against themselves at rest.
 #include "BoxMesh.h"
 #include "MovingGlyphs.h"
-#include "Probes.h"
 
 #include <cstring>
 #include <numbers>
@@ -42,57 +41,6 @@ using rtg::testing::Share;
 
 class MovingMesh : public MotionTest
 {
-protected:
-  // Rays at random times meet what `boxAt` says of a box in double, glyph by glyph.
-  void ExpectRaysMeet(const rtg::GlyphInstances& meshes, const std::function<Double::Glyph(std::size_t, double)>& boxAt,
-    bool namesTriangles)
-  {
-    MovingGlyphs make(4);
-    const std::size_t count = meshes.Count();
-    std::vector<rtg::testing::Probe> probes;
-    for (int i = 0; i < 1000; ++i)
-    {
-      // At a glyph where it then is, so that most rays hit.
-      rtg::testing::Probe probe;
-      probe.time = make.Uniform(0.0f, 0.9999f);
-      const Double::Glyph glyph = boxAt(i % count, meshes.motion.Time(probe.time));
-      probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
-      probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.2f)) - probe.origin);
-      probes.push_back(probe);
-    }
-    const auto found = rtg::testing::TraceProbes(this->scene, probes);
-    int hits = 0, doubtful = 0;
-    for (std::size_t i = 0; i < probes.size(); ++i)
-    {
-      Double::GlyphRay ray{};
-      ray.origin = probes[i].origin;
-      ray.direction = glm::dvec3(probes[i].direction);
-      const double time = meshes.motion.Time(probes[i].time);
-      double nearest = INFINITY;
-      glm::dvec3 normal(0.0);
-      std::size_t hit = Image::noGlyph;
-      for (std::size_t glyph = 0; glyph < count; ++glyph)
-      {
-        const Double::Glyph box = boxAt(glyph, time);
-        double t;
-        if (Double::IntersectGlyph(rtg::Shape::Box, ray, box, 0.0, 100.0, t) && t < nearest)
-        {
-          nearest = t;
-          hit = glyph;
-          normal = Double::GlyphNormal(rtg::Shape::Box, ray, box, t);
-        }
-      }
-      // A ray that grazes a box or an edge within rounding may see either.
-      const bool met = hit != Image::noGlyph;
-      hits += met;
-      doubtful += met != std::isfinite(found[i].t) ||
-        (met &&
-          ((!namesTriangles && found[i].glyphId != hit) || std::abs(found[i].t - nearest) > 1e-4 ||
-            glm::length(normal - glm::dvec3(found[i].normal)) > 1e-3));
-    }
-    EXPECT_GT(hits, 500);
-    EXPECT_LE(doubtful, 3);
-  }
 };
 
 // Positions that go apart from the middle while it goes along a parabola: a box at all times, of which `At` gives the
@@ -153,7 +101,7 @@ TEST_P(MovingMesh, GlyphsAreWhereTheyShouldBe)
   meshes.mesh = Share(BoxMesh());
   this->Add(meshes);
   this->ExpectRaysMeet(
-    meshes, [&](std::size_t i, double time) { return GlyphAt(instances, i, time); }, false);
+    rtg::Shape::Box, meshes, [&](std::size_t i, double time) { return GlyphAt(instances, i, time); }, false);
 }
 
 TEST_P(MovingMesh, PositionsAreWhereTheyShouldBe)
@@ -162,7 +110,7 @@ TEST_P(MovingMesh, PositionsAreWhereTheyShouldBe)
   const rtg::GlyphInstances instances = box.Instances();
   this->Add(instances);
   this->ExpectRaysMeet(
-    instances, [&](std::size_t, double time) { return box.At(time); }, true);
+    rtg::Shape::Box, instances, [&](std::size_t, double time) { return box.At(time); }, true);
 }
 
 TEST_P(MovingMesh, GlyphCoversAsBruteForce)

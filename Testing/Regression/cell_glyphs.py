@@ -170,6 +170,7 @@ def main():
         # ParaView has a kind of display for each kind of data.
         cells = session.Stage(view)
         lists(checks, cells, data)
+        cells.hide()
         # Before the pictures, which leave a coloring.
         if what != "trees":  # selection_through.py
             selecting(checks, cells, what, data, centers, numbers)

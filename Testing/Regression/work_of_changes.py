@@ -396,14 +396,12 @@ def main():
         for name, value, kind in (("Pickable", 0, "nothing"), ("Specular", 0.4, "image"), ("Exposure", 0.5, "display"), ("SamplesPerPixel", 3, "image")):
             bench.expect("%s of %s" % (name, properties.get("GlyphType", "a table")), properties, {name: value}, kind)
 
-    def change_colors():
-        bench.shown.LookupTable.ApplyPreset("Black-Body Radiation", True)
-
-    bench.expect("color map", {"ColorArrayName": ["POINTS", "color"]}, change_colors, "colors")
     KINDS["gather"] = {"gathers"}
     bench.expect("array that is not shown", {}, give_unused, "gather")
     bench.expect("the same data again", {}, lambda: session.replace_data(bench.source, data()),
                  "again")
+    pv.ColorBy(bench.shown, ("POINTS", "color"))
+    bench.expect("color map", {}, lambda: bench.shown.LookupTable.ApplyPreset("Black-Body Radiation", True), "colors")
     checks.report()
 
 
