@@ -9,7 +9,7 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet
 
 import comparison
 import scale_guess
@@ -51,11 +51,7 @@ def blocks(**parts):
 
 def lines(points, runs):
     """Poly-lines through the points of each run."""
-    data, cells = session.poly_data(points), vtkCellArray()
-    for run in runs:
-        cells.InsertNextCell(len(run), list(run))
-    data.SetLines(cells)
-    return data
+    return session.with_cells(session.poly_data(points), "Lines", runs)
 
 
 def box():

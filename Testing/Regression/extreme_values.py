@@ -8,7 +8,6 @@ import math
 
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import session
 from checks import Checks
@@ -31,11 +30,7 @@ def scales(checks):
     for scale, outlier in ((1e-20, 0.0), (1e-12, 0.0), (1.0, 1e30), (1e15, 0.0), (1e21, 0.0)):
         points = scale * places
         points[0] += outlier
-        data = session.poly_data(points)
-        cells = vtkCellArray()
-        cells.InsertNextCell(20, range(20))
-        data.SetLines(cells)
-        source = session.source(data)
+        source = session.source(session.with_cells(session.poly_data(points), "Lines", [range(20)]))
         for kind in ("Sphere", "Mesh", "Ray Traced Tubes", "Ray Traced Surface"):
             if outlier and "Ray" in kind:
                 continue  # it is part of a line, or of a surface

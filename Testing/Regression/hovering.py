@@ -11,7 +11,6 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRI
 
 import numpy  # noqa: E402
 import paraview.simple as pv  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkCellArray  # noqa: E402
 
 import session  # noqa: E402
 from checks import Checks  # noqa: E402
@@ -27,12 +26,7 @@ REST = 4.0
 
 def points():
     """Points with a number; cell i is point 5 - i."""
-    data = session.poly_data(PLACES, number=numpy.arange(6.0) + 10.0)
-    cells = vtkCellArray()
-    for point in reversed(range(6)):
-        cells.InsertNextCell(1, [point])
-    data.SetVerts(cells)
-    return data
+    return session.with_cells(session.poly_data(PLACES, number=numpy.arange(6.0) + 10.0), "Verts", [[point] for point in reversed(range(6))])
 
 
 def told(window, view, place):

@@ -8,7 +8,6 @@ import sys
 
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import session
 
@@ -21,12 +20,8 @@ def sheet(generator):
     x, y = [axis.ravel() for axis in numpy.meshgrid(numpy.linspace(-1.0, 1.0, SIDE), numpy.linspace(-1.0, 1.0, SIDE))]
     points = numpy.stack([x, y, -1.0 + 0.1 * generator.uniform(size=x.size)], axis=1)
     data = session.poly_data(points, v=generator.uniform(-0.2, 0.2, points.shape))
-    cells = vtkCellArray()
-    for row in range(SIDE - 1):
-        for at in range(row * SIDE, row * SIDE + SIDE - 1):
-            cells.InsertNextCell(4, (at, at + 1, at + SIDE + 1, at + SIDE))
-    data.SetPolys(cells)
-    return data
+    return session.with_cells(data, "Polys", [(at, at + 1, at + SIDE + 1, at + SIDE) for row in range(SIDE - 1)
+                                              for at in range(row * SIDE, row * SIDE + SIDE - 1)])
 
 
 class MallocInformation(ctypes.Structure):

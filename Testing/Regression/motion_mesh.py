@@ -4,7 +4,6 @@ Usage: pvpython motion_mesh.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import bad_input
 import session
@@ -17,12 +16,7 @@ ALONG = numpy.array([[0.6, 0.0, 0.0]] * 4)
 
 def plate(**arrays):
     """Two triangles."""
-    data = session.poly_data(CORNERS, **arrays)
-    cells = vtkCellArray()
-    for triangle in ((0, 1, 2), (0, 2, 3)):
-        cells.InsertNextCell(3, triangle)
-    data.SetPolys(cells)
-    return data
+    return session.with_cells(session.poly_data(CORNERS, **arrays), "Polys", ((0, 1, 2), (0, 2, 3)))
 
 
 class Streaks:

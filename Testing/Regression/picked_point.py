@@ -5,7 +5,6 @@ Usage: pvpython picked_point.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import session
 from checks import Checks
@@ -16,12 +15,8 @@ CENTERS = numpy.array([[-0.7, 0.0, 0.4], [0.7, 0.2, -0.3]])
 
 def sources():
     """Points without cells, and the same as vertices."""
-    bare, vertices = session.poly_data(CENTERS), session.poly_data(CENTERS)
-    cells = vtkCellArray()
-    for point in range(len(CENTERS)):
-        cells.InsertNextCell(1, [point])
-    vertices.SetVerts(cells)
-    return (("points without cells", bare), ("vertices", vertices))
+    vertices = session.with_cells(session.poly_data(CENTERS), "Verts", [[point] for point in range(len(CENTERS))])
+    return (("points without cells", session.poly_data(CENTERS)), ("vertices", vertices))
 
 
 def distance(shape, center, place):

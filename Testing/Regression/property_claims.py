@@ -6,7 +6,7 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_QUAD, vtkCellArray, vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_QUAD, vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -76,9 +76,7 @@ def points_of(scene, centers):
     """Balls as points; those of "quad" are the corners of a cell."""
     data = session.poly_data(centers, **arrays(len(centers)))
     if scene == "quad":
-        cells = vtkCellArray()
-        cells.InsertNextCell(4, range(4))
-        data.SetPolys(cells)
+        session.with_cells(data, "Polys", [range(4)])
     return data
 
 
@@ -122,11 +120,7 @@ def lines_of(scene, centers):
     ends = numpy.repeat(centers, 2, axis=0) + numpy.tile([[0.0, -half, 0.0], [0.0, half, 0.0]], (len(centers), 1))
     data = session.poly_data(ends, height=numpy.tile([-0.5, 0.5], len(centers)),
                              **{name: numpy.repeat(value, 2, axis=0) for name, value in arrays(len(centers)).items()})
-    cells = vtkCellArray()
-    for number in range(len(centers)):
-        cells.InsertNextCell(2, [2 * number, 2 * number + 1])
-    data.SetLines(cells)
-    return data
+    return session.with_cells(data, "Lines", [(2 * number, 2 * number + 1) for number in range(len(centers))])
 
 
 MAKERS = {"points": points_of, "lines": lines_of, "polygons": polygons_of}

@@ -6,7 +6,7 @@ Usage: pvpython selection_kinds.py
 import numpy
 import paraview.simple as pv
 from vtkmodules.vtkCommonCore import vtkCollection, vtkIntArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import session
 from checks import Checks
@@ -25,11 +25,7 @@ IN_TRIANGLE = [0, 1, 5]
 def points(part=slice(0, 40)):
     """Points that are cells, too: cell i is point i."""
     data = session.poly_data(PLACES[part], number=numpy.arange(40.0)[part])
-    cells = vtkCellArray()
-    for point in range(data.GetNumberOfPoints()):
-        cells.InsertNextCell(1, [point])
-    data.SetVerts(cells)
-    return data
+    return session.with_cells(data, "Verts", [[point] for point in range(data.GetNumberOfPoints())])
 
 
 def blocks():

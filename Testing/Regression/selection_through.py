@@ -4,7 +4,6 @@ Usage: pvpython selection_through.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import session
 from checks import Checks
@@ -43,15 +42,8 @@ def glyphs(checks):
     view, plane = stage()
     points = numpy.array([[-1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]])
     bare = session.poly_data(points)
-    vertices = session.poly_data(points)
-    cells = vtkCellArray()
-    for point in (2, 0, 1):  # cell 0 is point 2, and so on
-        cells.InsertNextCell(1, [point])
-    vertices.SetVerts(cells)
-    triangle = session.poly_data(points)
-    cells = vtkCellArray()
-    cells.InsertNextCell(3, [0, 1, 2])
-    triangle.SetPolys(cells)
+    vertices = session.with_cells(session.poly_data(points), "Verts", [[2], [0], [1]])  # cell 0 is point 2, and so on
+    triangle = session.with_cells(session.poly_data(points), "Polys", [[0, 1, 2]])
     displays = session.Stage(view)
     for name, data, cell_ids in (("points without cells", bare, (None,) * 3), ("vertices", vertices, (1, 2, 0)),
                                  ("corners of a triangle", triangle, (None,) * 3)):

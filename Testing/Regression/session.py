@@ -12,7 +12,7 @@ import paraview.simple as pv
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCollection, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkHyperTreeGridSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
@@ -97,6 +97,15 @@ def poly_data(points, **arrays):
     coordinates.SetData(numpy_to_vtk(numpy.ascontiguousarray(points), deep=True))
     data.SetPoints(coordinates)
     add_arrays(data, **arrays)
+    return data
+
+
+def with_cells(data, kind, cells):
+    """vtkPolyData, given these cells: lists of points; kind: Verts, Lines or Polys."""
+    array = vtkCellArray()
+    for cell in cells:
+        array.InsertNextCell(len(cell), list(cell))
+    getattr(data, "Set" + kind)(array)
     return data
 
 

@@ -10,7 +10,6 @@ import sys
 import numpy
 import paraview.simple as pv
 from paraview import smtrace
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 
 import comparison
@@ -85,10 +84,8 @@ def file_of(kind):
     """A file with the blocks of a scene; points are cells, too, with the same arrays."""
     data = data_of("blocks", kind)
     for number in range(data.GetNumberOfBlocks() if kind == GLYPHS else 0):
-        block, cells = data.GetBlock(number), vtkCellArray()
-        for point in range(block.GetNumberOfPoints()):
-            cells.InsertNextCell(1, [point])
-        block.SetVerts(cells)
+        block = data.GetBlock(number)
+        session.with_cells(block, "Verts", [[point] for point in range(block.GetNumberOfPoints())])
         block.GetCellData().ShallowCopy(block.GetPointData())
     writer = vtkXMLMultiBlockDataWriter()
     writer.SetDataModeToAscii()

@@ -5,7 +5,7 @@ Usage: pvpython surface_colors.py
 import numpy
 import paraview.simple as pv
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import comparison
@@ -106,10 +106,7 @@ def block_colors(checks):
     blocks, points = vtkMultiBlockDataSet(), numpy.array([[-1.2, 0.0, 0.0], [-0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [1.2, 0.0, 0.0]])
     for i, point in enumerate(points):
         block = session.poly_data(point[None] + [[0, 0, 0], [0.3, 0, 0], [0.3, 0.3, 0], [0, 0.3, 0]])
-        cells = vtkCellArray()
-        cells.InsertNextCell(4, [0, 1, 2, 3])
-        block.SetPolys(cells)
-        blocks.SetBlock(i, block)
+        blocks.SetBlock(i, session.with_cells(block, "Polys", [range(4)]))
     source = session.source(blocks)
     view = session.view(240, 90)
     shown = pv.Show(source, view)
@@ -144,9 +141,7 @@ def partial_arrays(checks):
     blocks = vtkMultiBlockDataSet()
     for number in range(3):
         block = session.poly_data(numpy.array([[number - 1.2, -0.3, 0.0], [number - 0.8, -0.3, 0.0], [number - 1.0, 0.4, 0.0]]))
-        cells = vtkCellArray()
-        cells.InsertNextCell(3, [0, 1, 2])
-        block.SetPolys(cells)
+        session.with_cells(block, "Polys", [range(3)])
         if number != 1:
             texts = vtkStringArray()
             texts.SetName("text")

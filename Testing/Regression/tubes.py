@@ -5,7 +5,7 @@ Usage: pvpython tubes.py
 import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
 import comparison
 import session
@@ -21,11 +21,8 @@ UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
 def line_data(lines, cell_arrays=None, **arrays):
     """vtkPolyData of poly-lines, each a list of points; arrays of all points one after another, and of cells."""
     data = session.poly_data(numpy.concatenate([numpy.asarray(line, dtype=float) for line in lines]), **arrays)
-    cells, first = vtkCellArray(), 0
-    for line in lines:
-        cells.InsertNextCell(len(line), range(first, first + len(line)))
-        first += len(line)
-    data.SetLines(cells)
+    ends = numpy.cumsum([len(line) for line in lines])
+    session.with_cells(data, "Lines", [range(end - len(line), end) for line, end in zip(lines, ends)])
     for name, values in (cell_arrays or {}).items():
         array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
         array.SetName(name)
@@ -163,9 +160,7 @@ def directions(view, checks):
 def picking(view, checks):
     """A pixel names the line cell and the nearer point of the data, which have other cells, too."""
     data = line_data([[(-1.5, 0.5, 0), (0, 0.5, 0), (1.5, 0.5, 0)], [(-1.5, -0.5, 0), (1.5, -0.5, 0)]])
-    vertex = vtkCellArray()
-    vertex.InsertNextCell(1, [0])
-    data.SetVerts(vertex)
+    session.with_cells(data, "Verts", [[0]])
     shown = show(session.source(data), view, 0.2)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
     pv.Render(view)
