@@ -5,7 +5,6 @@ Usage: pvpython cell_glyphs.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_EMPTY_CELL, VTK_HEXAHEDRON, VTK_TETRA, VTK_TRIANGLE, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid)
@@ -32,18 +31,11 @@ def arrays(count):
 
 def with_arrays(data, values, ghosts=None):
     """Cells get the arrays; points one of another name, which no list may offer then."""
-    for name, array in values.items():
-        cells = numpy_to_vtk(array, deep=True)
-        cells.SetName(name)
-        data.GetCellData().AddArray(cells)
+    session.add_arrays(data, data.GetCellData(), **values)
     if data.IsA("vtkDataSet"):
-        other = numpy_to_vtk(numpy.ones(data.GetNumberOfPoints()), deep=True)
-        other.SetName("of points")
-        data.GetPointData().AddArray(other)
+        session.add_arrays(data, **{"of points": numpy.ones(data.GetNumberOfPoints())})
     if ghosts is not None:
-        marks = numpy_to_vtk(numpy.array(ghosts, dtype=numpy.uint8), deep=True)
-        marks.SetName(vtkDataSetAttributes.GhostArrayName())
-        data.GetCellData().AddArray(marks)
+        session.add_arrays(data, data.GetCellData(), vtkGhostType=numpy.array(ghosts, dtype=numpy.uint8))
     return data
 
 

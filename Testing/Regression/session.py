@@ -109,12 +109,12 @@ def with_cells(data, kind, cells):
     return data
 
 
-def add_arrays(data, **arrays):
-    """Adds point arrays to a vtkDataSet."""
+def add_arrays(data, attributes=None, /, **arrays):
+    """Adds arrays to a vtkDataSet: to its points, or to other attributes of it."""
     for name, values in arrays.items():
         array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
         array.SetName(name)
-        data.GetPointData().AddArray(array)
+        (attributes or data.GetPointData()).AddArray(array)
 
 
 def hyper_tree_grid():

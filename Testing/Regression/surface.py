@@ -7,7 +7,7 @@ import paraview.simple as pv
 from vtkmodules.vtkCommonCore import vtkCollection
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import comparison
 import session
@@ -57,9 +57,7 @@ def sphere_data(radius=1.0, resolution=32, centre=(0.0, 0.0, 0.0)):
     points = vtk_to_numpy(data.GetPoints().GetData())
     session.add_arrays(data, height=points[:, 1].astype(float))
     faces = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    stripes = numpy_to_vtk(numpy.floor(4.0 * points[faces].mean(axis=1)[:, 0]), deep=True)
-    stripes.SetName("stripes")
-    data.GetCellData().AddArray(stripes)
+    session.add_arrays(data, data.GetCellData(), stripes=numpy.floor(4.0 * points[faces].mean(axis=1)[:, 0]))
     return data
 
 

@@ -9,7 +9,6 @@ import os
 
 import numpy
 import paraview.simple as pv
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 
@@ -57,9 +56,7 @@ def grid():
     data.SetSpacing(0.05, 0.05, 0.05)
     session.add_arrays(data, length=random.uniform(0.5, 2.0, data.GetNumberOfPoints()).astype(numpy.float32))
     for attributes, tuples in ((data.GetPointData(), data.GetNumberOfPoints()), (data.GetCellData(), data.GetNumberOfCells())):
-        ghosts = numpy_to_vtk((random.random(tuples) < 0.6).astype(numpy.uint8), deep=True)
-        ghosts.SetName("vtkGhostType")
-        attributes.AddArray(ghosts)
+        session.add_arrays(data, attributes, vtkGhostType=(random.random(tuples) < 0.6).astype(numpy.uint8))
     return data
 
 

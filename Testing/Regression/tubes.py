@@ -4,7 +4,6 @@ Usage: pvpython tubes.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
 import comparison
@@ -23,10 +22,7 @@ def line_data(lines, cell_arrays=None, **arrays):
     data = session.poly_data(numpy.concatenate([numpy.asarray(line, dtype=float) for line in lines]), **arrays)
     ends = numpy.cumsum([len(line) for line in lines])
     session.with_cells(data, "Lines", [range(end - len(line), end) for line, end in zip(lines, ends)])
-    for name, values in (cell_arrays or {}).items():
-        array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
-        array.SetName(name)
-        data.GetCellData().AddArray(array)
+    session.add_arrays(data, data.GetCellData(), **(cell_arrays or {}))
     return data
 
 
