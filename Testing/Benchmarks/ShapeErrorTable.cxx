@@ -393,7 +393,7 @@ void TableOfSpheres(std::ostream& csv)
   for (const HardCase& hard : cases)
   {
     ReferenceCase reference(hard);
-    add(hard, "kept", AddCall<float>(turns, hard), JudgeKernel<float>(reference));
+    add(hard, "plugin", AddCall<float>(turns, hard), JudgeKernel<float>(reference));
     for (const auto& [name, formula] : formulas)
     {
       add(hard, name, AddCall(turns, hard, formula), JudgeFormula(reference, formula));

@@ -361,8 +361,8 @@ struct Rivals
     return At(frame, glyph, normal, a.where.hi);
   }
 
-  /// The kept solver without its last steps in double words.
-  static Hit PlainKept(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
+  /// The plugin's solver without its last steps in double words.
+  static Hit PluginPlain(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
   {
     Frame frame;
     if (!Enter(ray, glyph, Real(-1e30), frame))
@@ -384,8 +384,8 @@ struct Rivals
     return {};
   }
 
-  /// The kept solver.
-  static Hit Kept(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
+  /// The plugin's solver.
+  static Hit Plugin(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
   {
     Hit hit;
     hit.found = K::IntersectSuperquadric(ray, glyph, tMin, Real(1e30), normal, hit.t, hit.normal);

@@ -207,8 +207,8 @@ void RunAll(
     Solver<Real> solver;
   };
   const Entry entries[] = {
-    { "kept", "convex concave", Rivals::Kept },
-    { "kept, no last step", "convex concave", Rivals::PlainKept },
+    { "plugin", "convex concave", Rivals::Plugin },
+    { "plugin, no last step", "convex concave", Rivals::PluginPlain },
     { "Newton from outside", "convex", Rivals::ConvexNewton },
     { "Illinois", "convex", Rivals::ConvexIllinois },
     { "ITP", "convex", Rivals::ConvexItp },

@@ -226,7 +226,7 @@ def motion_cost():
 
 def sphere_formulas():
     """Error of t, error of the normal, wrong hits: the cases in which formulas differ."""
-    formulas = {"kept": "kept", "Ray Tracing Gems": "Ray Tracing Gems, chapter 7", "Embree's projection": "Embree's projection",
+    formulas = {"plugin": "plugin", "Ray Tracing Gems": "Ray Tracing Gems, chapter 7", "Embree's projection": "Embree's projection",
                 "moved origin": "moved origin", "textbook": "textbook"}
     found = {(row["case"], row["formula"]): "%.1e, %.1e, %d" % (row["t_max_sizes"], row["normal_max_radians"], row["false_hits"] + row["false_misses"])
              for row in rows("sphere-formulas")}
