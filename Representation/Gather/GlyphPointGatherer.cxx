@@ -35,14 +35,7 @@ struct CopyTuples
   {
     const auto source = vtk::DataArrayTupleRange(from);
     auto target = vtk::DataArrayTupleRange(to);
-    parallel::ForChunks(leaf.Count(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          target[i] = source[cells ? leaf.Cell(i) : leaf.Point(i)];
-        }
-      });
+    parallel::ForEach(leaf.Count(), [&](vtkIdType i) { target[i] = source[cells ? leaf.Cell(i) : leaf.Point(i)]; });
   }
 };
 
@@ -55,21 +48,16 @@ void CopyLeaf(vtkAbstractArray* from, vtkAbstractArray* to, const Leaf& leaf, bo
   {
     return;
   }
-  const auto copyRange = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      to->SetTuple(i, cells ? leaf.Cell(i) : leaf.Point(i), from);
-    }
-  };
+  const auto copyTuple = [&](vtkIdType i) { to->SetTuple(i, cells ? leaf.Cell(i) : leaf.Point(i), from); };
   // Tuples of bits share bytes, and texts are no numbers.
   if (numbers && from->GetDataType() != VTK_BIT)
   {
-    parallel::ForChunks(leaf.Count(), copyRange);
+    parallel::ForEach(leaf.Count(), copyTuple);
+    return;
   }
-  else
+  for (vtkIdType i = 0; i < leaf.Count(); ++i)
   {
-    copyRange(0, leaf.Count());
+    copyTuple(i);
   }
 }
 
@@ -120,16 +108,13 @@ void CopyPoints(const Leaf& leaf, vtkPolyData* out, const parallel::Progress& pr
   rtglyphs::RayTracedArrays::Resize(points->GetData(), leaf.Count());
   double first[3];
   leaf.Data->GetPoint(0, first); // builds what the threads need
-  parallel::ForChunks(
+  parallel::ForEach(
     leaf.Count(),
-    [&](vtkIdType begin, vtkIdType end)
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        double x[3];
-        leaf.Data->GetPoint(leaf.Point(i), x);
-        points->SetPoint(i, x);
-      }
+      double x[3];
+      leaf.Data->GetPoint(leaf.Point(i), x);
+      points->SetPoint(i, x);
     },
     progress);
   out->SetPoints(points);
@@ -143,14 +128,7 @@ void AddIds(vtkPolyData* out, const char* name, const Value& value)
   array->SetName(name);
   rtglyphs::RayTracedArrays::Resize(array, out->GetNumberOfPoints());
   auto* values = array->GetPointer(0);
-  parallel::ForChunks(out->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        values[i] = value(i);
-      }
-    });
+  parallel::ForEach(out->GetNumberOfPoints(), [&](vtkIdType i) { values[i] = value(i); });
   out->GetPointData()->AddArray(array);
 }
 

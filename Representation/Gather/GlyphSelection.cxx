@@ -45,14 +45,11 @@ Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataAr
   auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetName(rtglyphs::RayTracedArrays::Selected);
   rtglyphs::RayTracedArrays::Resize(array, count);
-  rtglyphs::RayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(count,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Id id(block, mark + (numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i));
-        array->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
-      }
+      const Id id(block, mark + (numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i));
+      array->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
     });
   return array;
 }

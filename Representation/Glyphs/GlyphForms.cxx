@@ -147,13 +147,12 @@ double rtglyphs::GlyphForms::LargestRadius(vtkDataArray* array, const Settings& 
 {
   const rtglyphs::GlyphForms forms(array, settings);
   const vtkIdType count = array->GetNumberOfTuples();
-  std::vector<double> largest(rtglyphs::RayTracedParallel::NumberOfChunks(count), 0.0);
-  rtglyphs::RayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
+  return rtglyphs::RayTracedParallel::Reduce(
+    count, 0.0,
+    [&](vtkIdType begin, vtkIdType end, double& most)
     {
       rtglyphs::GlyphTuples tuples(array);
       std::vector<float> values(forms.Width());
-      double& most = largest[rtglyphs::RayTracedParallel::ChunkOf(begin)];
       for (vtkIdType point = begin; point < end; ++point)
       {
         // Rough bounds, which take a quarter of the time, show for most points that they are smaller.
@@ -162,6 +161,6 @@ double rtglyphs::GlyphForms::LargestRadius(vtkDataArray* array, const Settings& 
           most = std::max(most, forms.Measure(tuples, point, values.data()).radius);
         }
       }
-    });
-  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+    },
+    [](double& all, double most) { all = std::max(all, most); });
 }

@@ -83,7 +83,7 @@ private:
   std::vector<std::array<std::uint16_t, 2>> TrailEnds; // as GlyphTrails has them
   double TrailFading = 0.0;
   bool InstancesTaken = false;
-  std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
+  std::size_t Digest = 0; // of the instances of InstanceVersion
 };
 
 #endif

@@ -249,15 +249,12 @@ bool vtkRayTracedMapper::TakeValues(const rtglyphs::RayTracedBlocks::Block& bloc
     mapped.Values.assign(this->Points->GetNumberOfPoints(), rtg::noValue);
   }
   mapped.OneTable &= mapped.Table == table;
-  rtglyphs::RayTracedParallel::ForChunks(points,
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(points,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
-        mapped.Values[block.FirstPoint + i] =
-          isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f) : rtg::notANumber;
-      }
+      const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
+      mapped.Values[block.FirstPoint + i] =
+        isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f) : rtg::notANumber;
     });
   return true;
 }

@@ -92,26 +92,15 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
   if (mapped.OfCells)
   {
     colored->triangleColours.resize(mesh.triangles.size());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i]));
-        }
-      });
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.triangles.size()),
+      [&](vtkIdType i)
+      { colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i])); });
   }
   else if (mapped.Any || this->HasOwnLooks())
   {
     colored->positionColours.resize(mesh.positions.size());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          colored->positionColours[i] = Pack(this->ColorOf(mapped, i, -1));
-        }
-      });
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.positions.size()),
+      [&](vtkIdType i) { colored->positionColours[i] = Pack(this->ColorOf(mapped, i, -1)); });
   }
 
   this->Translucent = rtg::IsTranslucent(*colored);
