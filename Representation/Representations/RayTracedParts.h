@@ -53,4 +53,3 @@ public:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedParts.h

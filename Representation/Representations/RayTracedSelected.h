@@ -47,4 +47,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedSelected.h

@@ -41,4 +41,3 @@ bool Renew(vtkSMProxy* display, bool otherTime);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedDefault.h

@@ -13,4 +13,3 @@ void Register();
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedDomains.h

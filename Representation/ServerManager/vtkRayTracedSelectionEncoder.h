@@ -36,4 +36,3 @@ private:
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkRayTracedSelectionEncoder.h
