@@ -170,12 +170,6 @@ vtkSmartPointer<vtkDataArray> Numbers(const std::vector<Block>& blocks, vtkIdTyp
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedBlocks::RayTracedBlocks() = default;
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedBlocks::~RayTracedBlocks() = default;
-
-//----------------------------------------------------------------------------
 void rtglyphs::RayTracedBlocks::Update(
   vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common)
 {

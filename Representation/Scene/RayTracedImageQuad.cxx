@@ -10,14 +10,12 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,12 +66,6 @@ void Send(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, unsigned int
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
 }
 }
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedImageQuad::RayTracedImageQuad() = default;
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedImageQuad::~RayTracedImageQuad() = default;
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,

@@ -56,9 +56,6 @@ vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedPickingHelperProxy::~vtkSMRayTracedPickingHelperProxy() = default;
-
-//----------------------------------------------------------------------------
 void vtkSMRayTracedPickingHelperProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {
   this->Superclass::UpdatePropertyInformationInternal(property);
