@@ -376,7 +376,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     std::copy_n(this->GetDataBounds(points), 6, bounds);
     rtglyphs::ExtendBounds(this->MakeImages(points, this->Piece, /*together=*/true), bounds);
     rtglyphs::RayTracedParts& parts = this->Common.Parts;
-    parts.Follow(this->Actor, this->Property, this->GetVisibility());
+    parts.Follow(this->Actor);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, parts.Actor->GetMatrix());
     if (parts.Mapper)
     {
@@ -528,7 +528,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     parts.Mapper = this->Content->MakeMapper();
     parts.Add(this, view, parts.Actor, parts.Mapper);
   }
-  parts.Follow(this->Actor, this->Property, this->GetVisibility());
+  parts.Follow(this->Actor);
   std::string problem;
   *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
   this->ReportAnew(problem, this->SectionProblem);
