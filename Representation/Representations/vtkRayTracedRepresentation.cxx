@@ -4,7 +4,6 @@
 #include "Glyphs.h"
 #include "Tracer.h"
 #include "RayTracedArrays.h"
-#include "RayTracedDisplays.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
@@ -560,9 +559,8 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   this->SetPartBounds(bounds);
   *parts.Images = rtglyphs::Moved(images, parts.Actor->GetMatrix());
   scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
-  scene->SetStatistics(parts.Mapper,
-    { this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
-      this->Bounds.GetSeconds() });
+  parts.Mapper->SetDataStatistics({ this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(),
+    this->GatherSeconds, this->Bounds.GetSeconds() });
 }
 
 //----------------------------------------------------------------------------

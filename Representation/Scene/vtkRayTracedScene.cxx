@@ -180,12 +180,6 @@ const rtglyphs::RayTracedImageSettings& vtkRayTracedScene::GetSettings() const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics)
-{
-  this->Self->Displays.SetStatistics(mapper, statistics);
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedScene::SetFrameKind(bool capture, bool collective, bool ordered)
 {
   this->Self->Capture = capture;

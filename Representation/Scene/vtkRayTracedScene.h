@@ -36,10 +36,6 @@ class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
 class vtkWindow;
-namespace rtglyphs
-{
-struct RayTracedDataStatistics;
-}
 
 class vtkRayTracedScene : public vtkObject
 {
@@ -64,11 +60,10 @@ public:
 
   ///@{
   /**
-   * The view's settings, in range; and what a representation has done with its data, for GetStatistics().
+   * The view's settings, in range.
    */
   void SetSettings(const rtglyphs::RayTracedImageSettings& settings);
   const rtglyphs::RayTracedImageSettings& GetSettings() const;
-  void SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics);
   ///@}
 
   /**
