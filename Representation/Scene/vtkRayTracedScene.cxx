@@ -494,16 +494,15 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
+void vtkRayTracedScene::ForEachShown(
+  const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColours&, const rtg::Material&)>& visit)
 {
-  std::vector<Shown> all;
   std::vector<rtg::GlyphInstances> built;
   const rtglyphs::RayTracedDisplays& displays = this->Self->Displays;
   for (const rtglyphs::RayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Images, built))
   {
-    all.push_back({ *shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material });
+    visit(*shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material);
   }
-  return all;
 }
 
 //----------------------------------------------------------------------------

@@ -21,10 +21,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
-#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace rtg
 {
@@ -108,15 +107,10 @@ public:
   bool PlaceAt(int x, int y, double place[3]);
 
   /**
-   * The representations of the last frame, for exporters.
+   * Visits the representations of the last frame, for exporters.
    */
-  struct Shown
-  {
-    rtg::GlyphInstances Instances;
-    rtg::GlyphColours Colors;
-    rtg::Material Material;
-  };
-  std::vector<Shown> CopyShown();
+  void ForEachShown(
+    const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColours&, const rtg::Material&)>& visit);
 
   /**
    * Warns, once after each frame, that exporters leave ray-traced displays out.
