@@ -86,15 +86,6 @@ void KeepOfShells(const rtglyphs::GlyphSettings& settings, std::vector<std::stri
     message = std::regex_replace(message, std::regex("GlyphTensorArray|SelectScaleArray"), "GlyphShellArray");
   }
 }
-
-// From blue at -1 over white to red at 1.
-void ColorOfShare(double share, double rgb[3])
-{
-  const double pale = 1.0 - std::abs(share);
-  rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
-  rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
-  rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
-}
 }
 
 //----------------------------------------------------------------------------
@@ -239,32 +230,21 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 {
   constexpr int entries = 4096;
-  double top = *std::max_element(this->Radii.begin(), this->Radii.end());
-  if (this->TensorTable)
-  {
-    this->TensorTable->Build();
-    const double high = this->TensorTable->GetRange()[1] * (1.0 + 2.0 / entries); // the last ones lie above the range
-    top = high > 0.0 ? std::min(top, high) : top;
-  }
+  this->TensorTable->Build();
+  const double high = this->TensorTable->GetRange()[1] * (1.0 + 2.0 / entries); // the last ones lie above the range
+  const double largest = *std::max_element(this->Radii.begin(), this->Radii.end());
+  const double top = high > 0.0 ? std::min(largest, high) : largest;
   vtkNew<vtkDoubleArray> values;
   for (int i = 0; i < entries; ++i)
   {
     values->InsertNextValue(top * (i + 0.5) / entries);
   }
-  const vtkSmartPointer<vtkUnsignedCharArray> mapped = this->TensorTable ? this->TableColors(values) : nullptr;
+  const vtkSmartPointer<vtkUnsignedCharArray> mapped = this->TableColors(values);
   colors.table.resize(entries + 2);
   for (int i = 0; i < entries; ++i)
   {
     std::array<double, 4> rgba{ { 1.0, 1.0, 1.0, 1.0 } };
-    if (mapped)
-    {
-      ReadColor(mapped, i, rgba);
-    }
-    else
-    {
-      ColorOfShare(
-        this->TensorRange[1] > 0.0 ? std::min(values->GetValue(i) / this->TensorRange[1], 1.0) : 0.0, rgba.data());
-    }
+    ReadColor(mapped, i, rgba);
     colors.table[i] = Pack(rgba);
   }
   std::fill_n(colors.table.end() - 2, 2, colors.table.front());
@@ -274,34 +254,23 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 }
 
 //----------------------------------------------------------------------------
-// Colors without a table.
-void vtkRayTracedGlyphMapper::TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
+// Magnitudes of the eigenvalues over the largest.
+void vtkRayTracedGlyphMapper::EigenvaluesAsColor(
+  const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
-  const bool anisotropy = this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
-  const double range = anisotropy ? 1.0 : std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
-  const auto shareOf = [range](double value)
-  { return range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0; };
-  if (this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
+  const double range = std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
+  glm::dvec3 values;
+  for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
   {
-    glm::dvec3 values;
-    for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
-    {
-      rgb[i] = std::abs(shareOf(values[i]));
-    }
-    return;
+    rgb[i] = range > 0.0 ? std::min(std::abs(values[i]) / range, 1.0) : 0.0;
   }
-  double value = 0.0;
-  if (!tensors.Number(point, value))
-  {
-    return;
-  }
-  ColorOfShare(shareOf(value), rgb);
 }
 
 //----------------------------------------------------------------------------
 // RGBA of each number, as the table gives it to arrays.
 vtkSmartPointer<vtkUnsignedCharArray> vtkRayTracedGlyphMapper::TableColors(vtkDoubleArray* numbers)
 {
+  this->TensorTable->Build();
   return vtk::TakeSmartPointer(this->TensorTable->MapScalars(numbers, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
 }
 
@@ -381,10 +350,6 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     tensors = std::make_unique<rtglyphs::GlyphTensors>(
       rtglyphs::GlyphTensors::Array(points, shown), shown, this->OriginalIds.ToVector());
-    if (this->TensorTable)
-    {
-      this->TensorTable->Build();
-    }
   }
   else if (!shown.Axes && !bySurface && !byDirection)
   {
@@ -403,7 +368,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
 
   rtg::GlyphColours colors;
-  if (byRadius && !this->Radii.empty())
+  if (byRadius && this->TensorTable && !this->Radii.empty())
   {
     this->AddRadiusColors(colors);
   }
@@ -427,9 +392,9 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           {
             ReadColor(table, glyph, rgba);
           }
-          else if (tensors)
+          else if (tensors && shown.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
           {
-            this->TensorColor(*tensors, point, rgba.data());
+            this->EigenvaluesAsColor(*tensors, point, rgba.data());
           }
           rgba[3] *= block.Opacity;
         }
