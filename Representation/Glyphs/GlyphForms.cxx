@@ -8,7 +8,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace

@@ -5,7 +5,6 @@
 #include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
@@ -13,8 +12,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkRayTracedSurfaceMapper);

@@ -7,7 +7,6 @@
 #include "vtkInformationKeyLookup.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"

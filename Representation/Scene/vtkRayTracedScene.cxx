@@ -21,7 +21,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRenderPass.h"

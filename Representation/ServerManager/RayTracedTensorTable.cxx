@@ -6,7 +6,6 @@
 #include "RayTracedGlyphDefaults.h"
 #include "vtkNew.h"
 #include "vtkRayTracedRepresentation.h"
-#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <string>
 
 vtkStandardNewMacro(vtkSMRayTracedPickingHelperProxy);
 
