@@ -1,5 +1,7 @@
 #include "GlyphGLTFWriter.h"
 
+#include "Box.h"
+
 // clang-format off
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
@@ -51,14 +53,13 @@ public:
     {
       if (bounds)
       {
-        glm::vec3 low = values.front(), high = values.front();
+        rtg::Box box;
         for (const glm::vec3& value : values)
         {
-          low = glm::min(low, value);
-          high = glm::max(high, value);
+          box.Include({ value, value });
         }
-        accessor["min"] = { low.x, low.y, low.z };
-        accessor["max"] = { high.x, high.y, high.z };
+        accessor["min"] = { box.lower.x, box.lower.y, box.lower.z };
+        accessor["max"] = { box.upper.x, box.upper.y, box.upper.z };
       }
     }
     return this->Add("accessors", std::move(accessor));
@@ -124,10 +125,7 @@ public:
 
 void Append(std::string& to, std::uint32_t number)
 {
-  for (int byte = 0; byte < 4; ++byte)
-  {
-    to += static_cast<char>((number >> (8 * byte)) & 255u);
-  }
+  to.append(reinterpret_cast<const char*>(&number), sizeof(number)); // little-endian, as the arrays are
 }
 
 void AppendChunk(std::string& to, const std::string& chunk, std::uint32_t kind, char padding)

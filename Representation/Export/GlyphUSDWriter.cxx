@@ -1,11 +1,11 @@
 #include "GlyphUSDWriter.h"
 
+#include "Box.h"
 #include "vtkNumberToString.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <locale>
 #include <sstream>
 #include <type_traits>
@@ -73,7 +73,7 @@ void ListCopies(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, co
       item(set.Parts[p], p, k);
     }
   }
-  out << "]\n";
+  out << "]";
 }
 
 void WriteVectors(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const char* name,
@@ -85,21 +85,22 @@ void WriteVectors(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, 
     ListCopies(out, set,
       [&](const rtglyphs::GlyphTessellatedPart& part, std::size_t, std::size_t k)
       { out << glm::vec3(glm::dvec3((part.*values)[k]) * factor); });
+    out << "\n";
   }
 }
 
 void WriteMesh(GlyphFileText& out, const rtglyphs::GlyphTessellatedPart& part)
 {
   const rtg::TriangleMesh& mesh = *part.Mesh;
-  glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  rtg::Box box;
   for (const glm::vec3& p : mesh.positions)
   {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
+    box.Include({ p, p });
   }
   const std::string indent(20, ' ');
   out << "                def Mesh \"" << part.Name << "\"\n                {\n";
-  out << indent << "float3[] extent = [" << low << ", " << high << "]\n" << indent << "int[] faceVertexCounts = ";
+  out << indent << "float3[] extent = [" << box.lower << ", " << box.upper << "]\n"
+      << indent << "int[] faceVertexCounts = ";
   out.List(mesh.triangles.size(), [&](std::size_t) { out << 3; });
   out << "\n" << indent << "int[] faceVertexIndices = ";
   out.List(mesh.triangles.size(),
@@ -117,37 +118,25 @@ void WriteMesh(GlyphFileText& out, const rtglyphs::GlyphTessellatedPart& part)
 
 void WriteColors(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
 {
-  const std::string indent(12, ' ');
-  const auto close = [&](const char* interpolation) {
-    out << " (\n" << indent << "    interpolation = \"" << interpolation << "\"\n" << indent << ")\n";
-  };
   const bool each = !set.Colors.empty();
-  out << indent << "color3f[] primvars:displayColor = [";
-  bool first = true;
-  const auto copies = [&](const auto& item)
+  const auto write = [&](const char* name, const auto& value)
   {
-    first = true;
-    for (const rtglyphs::GlyphTessellatedPart& part : set.Parts)
+    const std::string indent(12, ' ');
+    out << indent << name << " = ";
+    if (each)
     {
-      for (const std::uint32_t glyph : part.Glyphs)
-      {
-        out << (first ? "" : ", ");
-        first = false;
-        item(set.ColorOf(glyph));
-      }
+      ListCopies(out, set, [&](const auto& part, std::size_t, std::size_t k) { value(set.ColorOf(part.Glyphs[k])); });
     }
+    else
+    {
+      out.List(1, [&](std::size_t) { value(set.Color); });
+    }
+    out << " (\n" << indent << "    interpolation = \"" << (each ? "varying" : "constant") << "\"\n" << indent << ")\n";
   };
-  const auto color = [&](const glm::vec4& value) { out << glm::vec3(value); };
-  const auto opacity = [&](const glm::vec4& value) { out << value.a; };
-  each ? copies(color) : color(set.Color);
-  out << "]";
-  close(each ? "varying" : "constant");
+  write("color3f[] primvars:displayColor", [&](const glm::vec4& color) { out << glm::vec3(color); });
   if (set.IsTranslucent())
   {
-    out << indent << "float[] primvars:displayOpacity = [";
-    each ? copies(opacity) : opacity(set.Color);
-    out << "]";
-    close(each ? "varying" : "constant");
+    write("float[] primvars:displayOpacity", [&](const glm::vec4& color) { out << color.a; });
   }
 }
 
@@ -159,20 +148,21 @@ void WriteSet(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
       << "        def PointInstancer \"Instances\"\n        {\n"
       << indent << "int[] protoIndices = ";
   ListCopies(out, set, [&](const rtglyphs::GlyphTessellatedPart&, std::size_t p, std::size_t) { out << p; });
-  out << indent << "rel prototypes = ";
+  out << "\n" << indent << "rel prototypes = ";
   out.List(set.Parts.size(),
     [&](std::size_t p) { out << "</Glyphs/" << set.Name << "/Instances/Prototypes/" << set.Parts[p].Name << ">"; });
   out << "\n" << indent << "point3f[] positions = ";
   ListCopies(out, set, [&](const auto& part, std::size_t, std::size_t k) { out << part.Positions[k]; });
-  out << indent << "quath[] orientations = ";
+  out << "\n" << indent << "quath[] orientations = ";
   ListCopies(out, set,
     [&](const auto& part, std::size_t, std::size_t k)
     {
       const glm::vec4& q = part.Orientations[k];
       out << glm::vec4(q.w, q.x, q.y, q.z);
     });
-  out << indent << "float3[] scales = ";
+  out << "\n" << indent << "float3[] scales = ";
   ListCopies(out, set, [&](const auto& part, std::size_t, std::size_t k) { out << part.Scales[k]; });
+  out << "\n";
   WriteVectors(out, set, "velocities", &rtglyphs::GlyphTessellatedPart::Velocities);
   WriteVectors(out, set, "accelerations", &rtglyphs::GlyphTessellatedPart::Accelerations);
   WriteVectors(out, set, "angularVelocities", &rtglyphs::GlyphTessellatedPart::AngularVelocities, degrees);

@@ -49,19 +49,18 @@ void vtkRayTracedExporter::WriteData()
   {
     if (vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer))
     {
-      for (const vtkRayTracedScene::Shown& shown : scene->CopyShown())
-      {
-        surfaces |= shown.Instances.identifyTriangles;
-        if (!shown.Instances.identifyTriangles)
+      scene->ForEachShown(
+        [&](const rtg::GlyphInstances& instances, const rtg::GlyphColours& colors, const rtg::Material& material)
         {
-          rtglyphs::GlyphTessellatedSet set = rtglyphs::GlyphTessellatedSet::Make(
-            std::to_string(sets.size()), shown.Instances, shown.Colors, shown.Material, messages);
+          surfaces |= instances.identifyTriangles;
+          auto set = instances.identifyTriangles
+            ? rtglyphs::GlyphTessellatedSet()
+            : rtglyphs::GlyphTessellatedSet::Make(std::to_string(sets.size()), instances, colors, material, messages);
           if (!set.Parts.empty())
           {
             sets.push_back(std::move(set));
           }
-        }
-      }
+        });
     }
   }
   if (surfaces)

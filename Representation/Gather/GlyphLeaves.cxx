@@ -131,16 +131,12 @@ struct AreInOrder
   void operator()(Array* points, std::atomic<bool>& inOrder) const
   {
     const auto range = vtk::DataArrayValueRange<1>(points);
-    parallel::ForChunks(points->GetNumberOfValues(),
-      [&](vtkIdType begin, vtkIdType end)
+    parallel::ForEach(points->GetNumberOfValues(),
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        if (static_cast<vtkIdType>(range[i]) != i && inOrder)
         {
-          if (static_cast<vtkIdType>(range[i]) != i)
-          {
-            inOrder = false;
-            return;
-          }
+          inOrder = false;
         }
       });
   }

@@ -6,7 +6,6 @@
 #include "vtkAppendPolyData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -38,12 +37,6 @@ vtkSmartPointer<vtkPolyData> PolygonsOf(vtkDataObject* data)
   return append->GetOutput();
 }
 }
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphMeshes::GlyphMeshes() = default;
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphMeshes::~GlyphMeshes() = default;
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreMeshes)

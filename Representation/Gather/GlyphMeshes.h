@@ -5,6 +5,7 @@
 #ifndef GlyphMeshes_h
 #define GlyphMeshes_h
 
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -14,7 +15,6 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkMultiBlockDataSet;
 class vtkPolyData;
 
 namespace rtg
@@ -27,9 +27,6 @@ namespace rtglyphs
 class GlyphMeshes
 {
 public:
-  GlyphMeshes();
-  ~GlyphMeshes();
-
   /**
    * Gathers the polygons of `data` (may be null) as one mesh, or each block of a composite as a mesh of its own.
    */

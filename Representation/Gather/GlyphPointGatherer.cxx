@@ -4,12 +4,11 @@
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "RayTracedRanks.h"
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -18,8 +17,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedIntArray.h"
 
+#include <cstddef>
 #include <numeric>
-#include <string>
 
 namespace
 {
@@ -27,88 +26,23 @@ namespace parallel = rtglyphs::RayTracedParallel;
 
 using Leaf = rtglyphs::GlyphLeaves::Leaf;
 
-// The tuples of a leaf's glyphs become those of another array of the same values.
-struct CopyTuples
+// The tuples of a leaf's glyphs: of their points, or of the cells that they stand for.
+void CopyArrays(const Leaf& leaf, bool cells, vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 {
-  template <class From, class To>
-  void operator()(From* from, To* to, const Leaf& leaf, bool cells) const
+  const vtkIdType count = leaf.Count();
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(count);
+  parallel::ForEach(count, [&](vtkIdType i) { ids->SetId(i, cells ? leaf.Cell(i) : leaf.Point(i)); });
+  std::size_t bytes = 0;
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
-    const auto source = vtk::DataArrayTupleRange(from);
-    auto target = vtk::DataArrayTupleRange(to);
-    parallel::ForChunks(leaf.Count(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          target[i] = source[cells ? leaf.Cell(i) : leaf.Point(i)];
-        }
-      });
+    bytes += rtglyphs::RayTracedArrays::BytesOf(from->GetAbstractArray(i), count);
   }
-};
-
-void CopyLeaf(vtkAbstractArray* from, vtkAbstractArray* to, const Leaf& leaf, bool cells)
-{
-  CopyTuples copy;
-  auto* numbers = vtkDataArray::SafeDownCast(from);
-  auto* target = vtkDataArray::SafeDownCast(to);
-  if (numbers && vtkArrayDispatch::Dispatch2SameValueType::Execute(numbers, target, copy, leaf, cells))
-  {
-    return;
-  }
-  const auto copyRange = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      to->SetTuple(i, cells ? leaf.Cell(i) : leaf.Point(i), from);
-    }
-  };
-  // Tuples of bits share bytes, and texts are no numbers.
-  if (numbers && from->GetDataType() != VTK_BIT)
-  {
-    parallel::ForChunks(leaf.Count(), copyRange);
-  }
-  else
-  {
-    copyRange(0, leaf.Count());
-  }
-}
-
-// All arrays of the points, or of their cells, in the order of the glyphs.
-void CopyArrays(const Leaf& leaf, bool cells, vtkDataSetAttributes* out, const parallel::Progress& progress)
-{
-  vtkDataSetAttributes* in = leaf.Data->GetPointData();
-  if (cells)
-  {
-    in = leaf.Data->GetCellData();
-  }
-  for (int i = 0; i < in->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* from = in->GetAbstractArray(i);
-    if (!from->GetName() || from->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()))
-    {
-      continue;
-    }
-    // Not an instance of the first one's class, which may be an array that cannot be written to.
-    auto to = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(from->GetDataType()));
-    to->SetName(from->GetName());
-    to->SetNumberOfComponents(from->GetNumberOfComponents());
-    for (int c = 0; c < from->GetNumberOfComponents(); ++c)
-    {
-      to->SetComponentName(c, from->GetComponentName(c));
-    }
-    rtglyphs::RayTracedArrays::Resize(to, leaf.Count());
-    CopyLeaf(from, to, leaf, cells);
-    out->AddArray(to);
-    if (progress)
-    {
-      progress((i + 1.0) / in->GetNumberOfArrays());
-    }
-  }
-  // Which array the global ids are must not get lost.
-  if (vtkDataArray* ids = in->GetGlobalIds())
-  {
-    out->SetActiveGlobalIds(ids->GetName());
-  }
+  rtglyphs::RayTracedArrays::Check(bytes);
+  to->CopyAllOn();
+  to->CopyAllocate(from, count);
+  to->CopyData(from, ids);
+  to->RemoveArray(vtkDataSetAttributes::GhostArrayName());
 }
 
 void CopyPoints(const Leaf& leaf, vtkPolyData* out, const parallel::Progress& progress)
@@ -120,16 +54,13 @@ void CopyPoints(const Leaf& leaf, vtkPolyData* out, const parallel::Progress& pr
   rtglyphs::RayTracedArrays::Resize(points->GetData(), leaf.Count());
   double first[3];
   leaf.Data->GetPoint(0, first); // builds what the threads need
-  parallel::ForChunks(
+  parallel::ForEach(
     leaf.Count(),
-    [&](vtkIdType begin, vtkIdType end)
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        double x[3];
-        leaf.Data->GetPoint(leaf.Point(i), x);
-        points->SetPoint(i, x);
-      }
+      double x[3];
+      leaf.Data->GetPoint(leaf.Point(i), x);
+      points->SetPoint(i, x);
     },
     progress);
   out->SetPoints(points);
@@ -143,14 +74,7 @@ void AddIds(vtkPolyData* out, const char* name, const Value& value)
   array->SetName(name);
   rtglyphs::RayTracedArrays::Resize(array, out->GetNumberOfPoints());
   auto* values = array->GetPointer(0);
-  parallel::ForChunks(out->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        values[i] = value(i);
-      }
-    });
+  parallel::ForEach(out->GetNumberOfPoints(), [&](vtkIdType i) { values[i] = value(i); });
   out->GetPointData()->AddArray(array);
 }
 
@@ -216,12 +140,18 @@ vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject*
   if (set)
   {
     out->SetPoints(set->GetPoints());
-    out->GetPointData()->ShallowCopy(set->GetPointData());
   }
   else if (count > 0)
   {
-    CopyPoints(leaf, out, parallel::Part(progress, 0.0, 0.3));
-    CopyArrays(leaf, false, out->GetPointData(), parallel::Part(progress, 0.3, 0.8));
+    CopyPoints(leaf, out, parallel::Part(progress, 0.0, 0.8));
+  }
+  if (leaf.All)
+  {
+    out->GetPointData()->ShallowCopy(leaf.Data->GetPointData());
+  }
+  else if (count > 0)
+  {
+    CopyArrays(leaf, false, leaf.Data->GetPointData(), out->GetPointData());
   }
   const bool sharesCells = leaf.All && leaf.HasCells() && leaf.CellOfPoint.empty();
   if (sharesCells)
@@ -231,7 +161,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject*
   }
   else if (leaf.HasCells() && count > 0)
   {
-    CopyArrays(leaf, true, out->GetCellData(), parallel::Part(progress, 0.8, 0.9));
+    CopyArrays(leaf, true, leaf.Data->GetCellData(), out->GetCellData());
   }
   AddPickingIds(leaf, options, out);
   // Filters that redistribute between ranks, and cell data, need a cell for each point.

@@ -91,18 +91,15 @@ void rtglyphs::GlyphStep::Add(vtkPolyData* points, vtkDataArray* ids, int leaf)
   const std::size_t first = this->Entries.size();
   this->Entries.resize(first + count);
   const unsigned int block = rtglyphs::RayTracedTree::FlatIndex(points);
-  rtglyphs::RayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(count,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        Entry& entry = this->Entries[first + i];
-        entry.Id = numbers[i];
-        entry.Block = block;
-        entry.Leaf = leaf;
-        entry.Point = i;
-        points->GetPoint(i, entry.X);
-      }
+      Entry& entry = this->Entries[first + i];
+      entry.Id = numbers[i];
+      entry.Block = block;
+      entry.Leaf = leaf;
+      entry.Point = i;
+      points->GetPoint(i, entry.X);
     });
 }
 

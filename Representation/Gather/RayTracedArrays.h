@@ -63,14 +63,23 @@ inline bool IsOwn(const std::string& name)
   return name.rfind("vtkRayTraced_", 0) == 0;
 }
 
+///@{
 /// SetNumberOfTuples() that throws std::bad_alloc where memory does not suffice: VTK ends the process then, in builds
-/// for debugging, as Debian's are.
+/// for debugging, as Debian's are. And the check alone, for so many bytes.
+inline std::size_t BytesOf(vtkAbstractArray* array, vtkIdType tuples)
+{
+  return static_cast<std::size_t>(tuples) * array->GetNumberOfComponents() * std::max(array->GetDataTypeSize(), 1);
+}
+inline void Check(std::size_t bytes)
+{
+  ::operator delete(::operator new(bytes));
+}
 inline void Resize(vtkAbstractArray* array, vtkIdType tuples)
 {
-  ::operator delete(::operator new(
-    static_cast<std::size_t>(tuples) * array->GetNumberOfComponents() * std::max(array->GetDataTypeSize(), 1)));
+  Check(BytesOf(array, tuples));
   array->SetNumberOfTuples(tuples);
 }
+///@}
 
 /// Whether a property that names an array names none.
 inline bool IsNone(const std::string& name)

@@ -11,12 +11,10 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
-#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkScalarsToColors.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -168,12 +166,6 @@ vtkSmartPointer<vtkDataArray> Numbers(const std::vector<Block>& blocks, vtkIdTyp
   return numbers;
 }
 }
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedBlocks::RayTracedBlocks() = default;
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedBlocks::~RayTracedBlocks() = default;
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedBlocks::Update(

@@ -71,9 +71,6 @@ public:
     vtkIdType FirstPoint = 0, FirstCell = 0; // of GetPoints()
   };
 
-  RayTracedBlocks();
-  ~RayTracedBlocks();
-
   /**
    * `data` is a RayTracedTree; `attributes` are those of its nodes, `common` those of nodes without.
    * As long as these stay the same, so does the version.

@@ -16,11 +16,6 @@ inline double NumberOr(double value, double otherwise)
   return std::isnan(value) ? otherwise : value;
 }
 
-inline double FiniteOr(double value, double otherwise)
-{
-  return std::isfinite(value) ? value : otherwise;
-}
-
 /**
  * The nearest number in the range; of NaN `otherwise`.
  */

@@ -68,23 +68,3 @@ void rtglyphs::RayTracedParallel::ForChunks(
     }
   }
 }
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedParallel::Box
-rtglyphs::RayTracedParallel::BoxOf(vtkIdType count, const std::function<void(vtkIdType, vtkIdType, Box&)>& add)
-{
-  std::vector<Box> boxes(NumberOfChunks(count));
-  ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      Box own; // threads would wait for each other's cache lines if they wrote beside each other at each point
-      add(begin, end, own);
-      boxes[ChunkOf(begin)] = own;
-    });
-  Box all;
-  for (const Box& box : boxes)
-  {
-    all.Add(box.Lower, box.Upper);
-  }
-  return all;
-}

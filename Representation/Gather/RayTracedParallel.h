@@ -7,12 +7,13 @@
 #ifndef RayTracedParallel_h
 #define RayTracedParallel_h
 
+#include "Box.h"
 #include "vtkType.h"
 
-#include <cmath>
+#include <algorithm>
 #include <functional>
-#include <glm/glm.hpp>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace rtglyphs::RayTracedParallel
@@ -54,6 +55,47 @@ Progress Part(const Progress& whole, double first, double last);
 void ForChunks(vtkIdType count, const std::function<void(vtkIdType, vtkIdType)>& work, const Progress& progress = {});
 
 /**
+ * work(i) for each i of [0, count).
+ */
+template <class Work>
+void ForEach(vtkIdType count, const Work& work, const Progress& progress = {})
+{
+  ForChunks(
+    count,
+    [&work](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        work(i);
+      }
+    },
+    progress);
+}
+
+/**
+ * What add(begin, end, own) makes of `nothing` for each chunk, which join(all, own) puts together.
+ */
+template <class Value, class Add, class Join>
+Value Reduce(vtkIdType count, const Value& nothing, const Add& add, const Join& join)
+{
+  std::vector<Value> parts(NumberOfChunks(count), nothing);
+  ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      // Threads would wait for each other's cache lines if they wrote beside each other at each point.
+      Value own = nothing;
+      add(begin, end, own);
+      parts[ChunkOf(begin)] = std::move(own);
+    });
+  Value all = nothing;
+  for (const Value& own : parts)
+  {
+    join(all, own);
+  }
+  return all;
+}
+
+/**
  * The wanted ones of 0, ..., count - 1, in this order. isWanted(i) is called twice.
  */
 template <class IsWanted>
@@ -93,44 +135,26 @@ std::vector<vtkIdType> Select(vtkIdType count, const IsWanted& isWanted)
 template <class Value>
 double Largest(vtkIdType count, const Value& value)
 {
-  std::vector<double> largest(NumberOfChunks(count), 0.0);
-  ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
+  return Reduce(
+    count, 0.0,
+    [&value](vtkIdType begin, vtkIdType end, double& own)
     {
-      double& own = largest[ChunkOf(begin)];
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const double v = value(i);
-        own = v > own ? v : own;
+        own = std::max(own, value(i)); // the first where the second is NaN
       }
-    });
-  double all = 0.0;
-  for (double own : largest)
-  {
-    all = own > all ? own : all;
-  }
-  return all;
+    },
+    [](double& all, double own) { all = std::max(all, own); });
 }
-
-/**
- * A box without points has Lower above Upper.
- */
-struct Box
-{
-  glm::dvec3 Lower{ HUGE_VAL }, Upper{ -HUGE_VAL };
-  bool IsEmpty() const { return !(this->Lower.x <= this->Upper.x); }
-  glm::dvec3 Center() const { return 0.5 * (this->Lower + this->Upper); }
-  void Add(const glm::dvec3& lower, const glm::dvec3& upper)
-  {
-    this->Lower = glm::min(this->Lower, lower);
-    this->Upper = glm::max(this->Upper, upper);
-  }
-};
 
 /**
  * The box of what add(begin, end, box) adds to the box of its chunk.
  */
-Box BoxOf(vtkIdType count, const std::function<void(vtkIdType, vtkIdType, Box&)>& add);
+template <class Add>
+rtg::DoubleBox BoxOf(vtkIdType count, const Add& add)
+{
+  return Reduce(count, rtg::DoubleBox(), add, [](rtg::DoubleBox& all, const rtg::DoubleBox& own) { all.Include(own); });
+}
 }
 
 #endif

@@ -142,14 +142,8 @@ vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::ExtractLines(vt
   lines->GetPointData()->CopyAllocate(data->GetPointData(), kept->GetNumberOfIds());
   lines->GetCellData()->CopyAllOn();
   lines->GetCellData()->CopyAllocate(data->GetCellData(), cells->GetNumberOfIds());
-  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
-  {
-    lines->GetPointData()->CopyData(data->GetPointData(), kept->GetId(i), i);
-  }
-  for (vtkIdType i = 0; i < cells->GetNumberOfIds(); ++i)
-  {
-    lines->GetCellData()->CopyData(data->GetCellData(), cells->GetId(i), i);
-  }
+  lines->GetPointData()->CopyData(data->GetPointData(), kept);
+  lines->GetCellData()->CopyData(data->GetCellData(), cells);
   return lines;
 }
 

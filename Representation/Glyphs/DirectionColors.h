@@ -43,4 +43,3 @@ struct DirectionColors
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: DirectionColors.h

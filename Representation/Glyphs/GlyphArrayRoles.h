@@ -73,4 +73,3 @@ double DiametersOf(const std::string& name);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphArrayRoles.h

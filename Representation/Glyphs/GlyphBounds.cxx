@@ -36,15 +36,14 @@ public:
       this->Orientations || settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
   }
 
-  rtglyphs::RayTracedParallel::Box Box(vtkIdType count) const
+  rtg::DoubleBox Box(vtkIdType count) const
   {
-    return rtglyphs::RayTracedParallel::BoxOf(count,
-      [this](vtkIdType begin, vtkIdType end, rtglyphs::RayTracedParallel::Box& box)
-      { this->AddRange(begin, end, box); });
+    return rtglyphs::RayTracedParallel::BoxOf(
+      count, [this](vtkIdType begin, vtkIdType end, rtg::DoubleBox& box) { this->AddRange(begin, end, box); });
   }
 
 private:
-  void AddRange(vtkIdType begin, vtkIdType end, rtglyphs::RayTracedParallel::Box& box) const
+  void AddRange(vtkIdType begin, vtkIdType end, rtg::DoubleBox& box) const
   {
     rtglyphs::GlyphTuples positions(this->Positions), trails(this->Trails);
     rtglyphs::GlyphSizes::Tuples tuples(this->Sizes);
@@ -78,11 +77,11 @@ private:
       if (this->Settings.Tensors.Cones)
       {
         this->AddCone(i, tuples, vectors, lower, upper);
-        box.Add(lower, upper);
+        box.Include({ lower, upper });
         continue;
       }
       const glm::dvec3 reach = this->Reach(i, tuples);
-      box.Add(lower - reach, upper + reach);
+      box.Include({ lower - reach, upper + reach });
     }
   }
 
@@ -189,25 +188,21 @@ void rtglyphs::GlyphBounds::Build(
   vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings, const rtglyphs::RayTracedRanges& hidden)
 {
   rtg::Stopwatch watch;
-  rtglyphs::RayTracedParallel::Box box;
+  rtg::DoubleBox box;
   if (points->GetPoints() && points->GetNumberOfPoints() > 0)
   {
     for (const rtglyphs::GlyphSettings& one : settings)
     {
-      const rtglyphs::RayTracedParallel::Box all = Collector(points, one, hidden).Box(points->GetNumberOfPoints());
-      if (!all.IsEmpty())
-      {
-        box.Add(all.Lower, all.Upper);
-      }
+      box.Include(Collector(points, one, hidden).Box(points->GetNumberOfPoints()));
     }
   }
   vtkMath::UninitializeBounds(this->Bounds);
-  if (!box.IsEmpty())
+  if (!box.Empty())
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Bounds[2 * axis] = box.Lower[axis];
-      this->Bounds[2 * axis + 1] = box.Upper[axis];
+      this->Bounds[2 * axis] = box.lower[axis];
+      this->Bounds[2 * axis + 1] = box.upper[axis];
     }
   }
   ++this->Builds;

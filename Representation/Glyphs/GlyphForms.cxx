@@ -8,56 +8,33 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace
 {
-rtg::FormMap MapOf(int components, const rtglyphs::GlyphForms::Settings& settings)
-{
-  switch (settings.Kind)
-  {
-    case rtglyphs::GlyphForms::REYNOLDS:
-      return rtg::FormMap::NormalStress();
-    case rtglyphs::GlyphForms::FOURTH_ORDER:
-      return rtg::FormMap::FourthOrder(components);
-    default:
-      return rtg::FormMap::Harmonics(components, settings.Basis);
-  }
-}
+using FormSettings = rtglyphs::GlyphForms::Settings;
 
-struct Demand
+struct FormKind
 {
-  const char* Property;
-  const char* Counts;
+  const char *Need, *Property, *Counts; // for messages
+  bool (*Fits)(vtkDataArray*, const FormSettings&);
+  rtg::FormMap (*Map)(int components, const FormSettings&);
 };
-
-Demand DemandOf(const rtglyphs::GlyphForms::Settings& settings)
-{
-  switch (settings.Kind)
-  {
-    case rtglyphs::GlyphForms::REYNOLDS:
-      return { "GlyphTensorArray", "6 or 9" };
-    case rtglyphs::GlyphForms::FOURTH_ORDER:
-      return { "GlyphTensorArray", "15, 21, 36 or 81" };
-    default:
-      return { "GlyphHarmonicsArray", "1, 6, 15, 28, 45, 66 or 91" };
-  }
-}
-
-bool Fits(vtkDataArray* array, const rtglyphs::GlyphForms::Settings& settings)
-{
-  const int components = array->GetNumberOfComponents();
-  switch (settings.Kind)
-  {
-    case rtglyphs::GlyphForms::REYNOLDS:
-      return static_cast<bool>(rtglyphs::GlyphTensors::Order(array, settings.Layout));
-    case rtglyphs::GlyphForms::FOURTH_ORDER:
-      return rtg::FormMap::IsFourthOrderLength(components);
-    default:
-      return rtg::FormMap::IsHarmonicsLength(components);
-  }
-}
+// In the order of GlyphForms::Kinds.
+const FormKind formKinds[] = {
+  { "Spherical harmonics need coefficients", "GlyphHarmonicsArray", "1, 6, 15, 28, 45, 66 or 91",
+    [](vtkDataArray* array, const FormSettings&)
+    { return rtg::FormMap::IsHarmonicsLength(array->GetNumberOfComponents()); },
+    [](int components, const FormSettings& settings) { return rtg::FormMap::Harmonics(components, settings.Basis); } },
+  { "Tensor glyphs need tensors", "GlyphTensorArray", "6 or 9",
+    [](vtkDataArray* array, const FormSettings& settings)
+    { return static_cast<bool>(rtglyphs::GlyphTensors::Order(array, settings.Layout)); },
+    [](int, const FormSettings&) { return rtg::FormMap::NormalStress(); } },
+  { "Tensor glyphs need tensors", "GlyphTensorArray", "15, 21, 36 or 81",
+    [](vtkDataArray* array, const FormSettings&)
+    { return rtg::FormMap::IsFourthOrderLength(array->GetNumberOfComponents()); },
+    [](int components, const FormSettings&) { return rtg::FormMap::FourthOrder(components); } },
+};
 }
 
 //----------------------------------------------------------------------------
@@ -91,17 +68,16 @@ vtkDataArray* rtglyphs::GlyphForms::Array(vtkPolyData* points, const Settings& s
 //----------------------------------------------------------------------------
 std::string rtglyphs::GlyphForms::Problem(vtkDataArray* array, const Settings& settings)
 {
-  const Demand demand = DemandOf(settings);
-  return rtglyphs::GlyphArrays::Problem(settings.Array, array, array && Fits(array, settings),
-    settings.Kind == HARMONICS ? "Spherical harmonics need coefficients" : "Tensor glyphs need tensors",
-    demand.Property, demand.Counts);
+  const FormKind& kind = formKinds[settings.Kind];
+  return rtglyphs::GlyphArrays::Problem(
+    settings.Array, array, array && kind.Fits(array, settings), kind.Need, kind.Property, kind.Counts);
 }
 
 //----------------------------------------------------------------------------
 rtglyphs::GlyphForms::GlyphForms(vtkDataArray* array, const Settings& settings)
   : How(settings)
   , Read(array, settings.Layout)
-  , Map(MapOf(array->GetNumberOfComponents(), settings))
+  , Map(formKinds[settings.Kind].Map(array->GetNumberOfComponents(), settings))
   , Meter(this->Map.Degree())
 {
 }
@@ -147,13 +123,12 @@ double rtglyphs::GlyphForms::LargestRadius(vtkDataArray* array, const Settings& 
 {
   const rtglyphs::GlyphForms forms(array, settings);
   const vtkIdType count = array->GetNumberOfTuples();
-  std::vector<double> largest(rtglyphs::RayTracedParallel::NumberOfChunks(count), 0.0);
-  rtglyphs::RayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
+  return rtglyphs::RayTracedParallel::Reduce(
+    count, 0.0,
+    [&](vtkIdType begin, vtkIdType end, double& most)
     {
       rtglyphs::GlyphTuples tuples(array);
       std::vector<float> values(forms.Width());
-      double& most = largest[rtglyphs::RayTracedParallel::ChunkOf(begin)];
       for (vtkIdType point = begin; point < end; ++point)
       {
         // Rough bounds, which take a quarter of the time, show for most points that they are smaller.
@@ -162,6 +137,6 @@ double rtglyphs::GlyphForms::LargestRadius(vtkDataArray* array, const Settings& 
           most = std::max(most, forms.Measure(tuples, point, values.data()).radius);
         }
       }
-    });
-  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+    },
+    [](double& all, double most) { all = std::max(all, most); });
 }

@@ -33,4 +33,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphHighScale.h

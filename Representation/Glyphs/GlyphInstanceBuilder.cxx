@@ -7,7 +7,6 @@
 #include "GlyphOutcomes.h"
 #include "GlyphTuples.h"
 #include "RayTracedArrays.h"
-#include "vtkDataArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>

@@ -11,6 +11,8 @@
 #include "vtkSMPTools.h"
 #include "vtkUnsignedIntArray.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -62,8 +64,8 @@ std::uint64_t Spread(std::uint64_t x)
 void FindBoxes(std::vector<Sample>& samples, vtkDataArray* positions)
 {
   const auto count = static_cast<vtkIdType>(samples.size());
-  const rtglyphs::RayTracedParallel::Box bounds = rtglyphs::RayTracedParallel::BoxOf(count,
-    [&](vtkIdType begin, vtkIdType end, rtglyphs::RayTracedParallel::Box& box)
+  const rtg::DoubleBox bounds = rtglyphs::RayTracedParallel::BoxOf(count,
+    [&](vtkIdType begin, vtkIdType end, rtg::DoubleBox& box)
     {
       rtglyphs::GlyphTuples tuples(positions);
       for (vtkIdType k = begin; k < end; ++k)
@@ -71,16 +73,15 @@ void FindBoxes(std::vector<Sample>& samples, vtkDataArray* positions)
         const double* x = tuples.Get(samples[k].Point);
         if (rtg::IsFinite(x))
         {
-          box.Add(glm::dvec3(x[0], x[1], x[2]), glm::dvec3(x[0], x[1], x[2]));
+          box.Include({ glm::make_vec3(x), glm::make_vec3(x) });
         }
       }
     });
-  if (bounds.IsEmpty())
+  if (bounds.Empty())
   {
     return;
   }
-  const glm::dvec3 lower(bounds.Lower);
-  const glm::dvec3 sides = glm::dvec3(bounds.Upper) - lower;
+  const glm::dvec3 lower = bounds.lower, sides = bounds.upper - lower;
   const double longest = std::max({ sides.x, sides.y, sides.z });
   constexpr double most = (1 << bitsPerAxis) - 1;
   rtglyphs::RayTracedParallel::ForChunks(count,
@@ -204,14 +205,11 @@ std::vector<vtkIdType> rtglyphs::GlyphMask::Choose(vtkPolyData* points, std::vec
   auto* blocks =
     vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex));
   std::vector<Sample> samples(candidates.size());
-  rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(samples.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(samples.size()),
+    [&](vtkIdType k)
     {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const vtkIdType point = candidates[k];
-        samples[k] = { 0, RandomOrder(number(point), blocks ? blocks->GetValue(point) : 0), point };
-      }
+      const vtkIdType point = candidates[k];
+      samples[k] = { 0, RandomOrder(number(point), blocks ? blocks->GetValue(point) : 0), point };
     });
   if (this->Mode == EVEN_IN_SPACE)
   {

@@ -58,4 +58,3 @@ struct GlyphMask
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphMask.h

@@ -23,23 +23,23 @@ enum Kinds
   KINDS
 };
 
-const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray",
-  "MotionBlurMask" };
-const char* const components[KINDS] = { "2 or 3", "2 or 3", "3", "1" };
+// In that order.
+const struct
+{
+  const char *Property, *Components;
+  std::string rtglyphs::GlyphMotion::Settings::*Name;
+  std::vector<glm::vec3> rtg::GlyphMotion::*Values; // of glyphs
+} kinds[KINDS] = {
+  { "VelocityArray", "2 or 3", &rtglyphs::GlyphMotion::Settings::Velocity, &rtg::GlyphMotion::velocities },
+  { "AccelerationArray", "2 or 3", &rtglyphs::GlyphMotion::Settings::Acceleration, &rtg::GlyphMotion::accelerations },
+  { "AngularVelocityArray", "3", &rtglyphs::GlyphMotion::Settings::AngularVelocity,
+    &rtg::GlyphMotion::angularVelocities },
+  { "MotionBlurMask", "1", &rtglyphs::GlyphMotion::Settings::Mask, nullptr },
+};
 
 std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
-  switch (kind)
-  {
-    case LINEAR:
-      return settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.Velocity;
-    case ACCELERATION:
-      return settings.Acceleration;
-    case MASK:
-      return settings.Mask;
-    default:
-      return settings.AngularVelocity;
-  }
+  return kind == LINEAR && settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.*kinds[kind].Name;
 }
 
 bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
@@ -52,14 +52,6 @@ bool HasLength(vtkDataArray* array, int kind)
 {
   const int length = array->GetNumberOfComponents();
   return kind == MASK ? length == 1 : length == 3 || (length == 2 && kind != ANGULAR);
-}
-
-void ClearZeros(std::vector<glm::vec3>& values)
-{
-  if (std::all_of(values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
-  {
-    values.clear();
-  }
 }
 }
 
@@ -130,13 +122,13 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     }
     if (!this->Found[kind])
     {
-      text << "There is no point array '" << NameOf(settings, kind) << "', which " << properties[kind]
+      text << "There is no point array '" << NameOf(settings, kind) << "', which " << kinds[kind].Property
            << " names; motion blur goes without. Choose one that exists, or None.";
     }
     else if (!HasLength(this->Found[kind], kind))
     {
-      text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind] << " names, has "
-           << this->Found[kind]->GetNumberOfComponents() << " components where " << components[kind]
+      text << "The point array '" << NameOf(settings, kind) << "', which " << kinds[kind].Property << " names, has "
+           << this->Found[kind]->GetNumberOfComponents() << " components where " << kinds[kind].Components
            << " are needed; motion blur goes without. Choose another array, or "
               "None.";
       this->Found[kind] = nullptr;
@@ -157,7 +149,7 @@ void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& s
     if (settings.On && IsNamed(settings, kind))
     {
       rtglyphs::RayTracedBlocks::ReportLacking(
-        points, NameOf(settings, kind), hidden, properties[kind], "do not move", messages);
+        points, NameOf(settings, kind), hidden, kinds[kind].Property, "do not move", messages);
     }
   }
 }
@@ -217,26 +209,22 @@ bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMotion::Allocate(rtg::GlyphMotion& motion, std::size_t count) const
 {
-  motion.velocities.resize(this->Found[LINEAR] ? count : 0);
-  motion.accelerations.resize(this->Found[ACCELERATION] ? count : 0);
-  motion.angularVelocities.resize(this->Found[ANGULAR] ? count : 0);
+  for (int kind = 0; kind < MASK; ++kind)
+  {
+    (motion.*kinds[kind].Values).resize(this->Found[kind] ? count : 0);
+  }
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point,
   const glm::dmat3& linear, const glm::dmat3& rotation) const
 {
-  if (this->Found[LINEAR])
+  for (int kind = 0; kind < MASK; ++kind)
   {
-    motion.velocities[glyph] = linear * this->Tuple(LINEAR, point);
-  }
-  if (this->Found[ACCELERATION])
-  {
-    motion.accelerations[glyph] = linear * this->Tuple(ACCELERATION, point);
-  }
-  if (this->Found[ANGULAR])
-  {
-    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR, point);
+    if (this->Found[kind])
+    {
+      (motion.*kinds[kind].Values)[glyph] = (kind == ANGULAR ? rotation : linear) * this->Tuple(kind, point);
+    }
   }
 }
 
@@ -249,22 +237,26 @@ void rtglyphs::GlyphMotion::Finish(rtg::GlyphMotion& motion) const
   }
   motion.shutterOpen = static_cast<float>(this->Open);
   motion.shutterClose = static_cast<float>(this->Close);
-  ClearZeros(motion.velocities);
-  ClearZeros(motion.accelerations);
-  ClearZeros(motion.angularVelocities);
+  for (int kind = 0; kind < MASK; ++kind)
+  {
+    std::vector<glm::vec3>& values = motion.*kinds[kind].Values;
+    if (std::all_of(values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
+    {
+      values.clear();
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
 rtg::DoubleBox rtglyphs::GlyphMotion::Range(vtkIdType point) const
 {
   rtg::GlyphMotion one;
-  if (this->Found[LINEAR])
+  for (const int kind : { LINEAR, ACCELERATION })
   {
-    one.velocities.emplace_back(this->Tuple(LINEAR, point));
-  }
-  if (this->Found[ACCELERATION])
-  {
-    one.accelerations.emplace_back(this->Tuple(ACCELERATION, point));
+    if (this->Found[kind])
+    {
+      (one.*kinds[kind].Values).emplace_back(this->Tuple(kind, point));
+    }
   }
   return rtg::RangeOfDisplacements(one, 0, this->Open, this->Close);
 }

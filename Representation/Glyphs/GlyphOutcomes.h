@@ -55,4 +55,3 @@ vtkIdType Describe(
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphOutcomes.h

@@ -4,6 +4,8 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,14 +69,9 @@ rtglyphs::GlyphPlacement::GlyphPlacement(vtkMatrix4x4* matrix)
     return;
   }
   this->Identity = false;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      this->Linear[column][row] = matrix->GetElement(row, column);
-    }
-    this->Offset[row] = matrix->GetElement(row, 3);
-  }
+  const glm::dmat4 columns = glm::transpose(glm::make_mat4(matrix->GetData()));
+  this->Linear = glm::dmat3(columns);
+  this->Offset = glm::dvec3(columns[3]);
   const glm::dmat3 gram = glm::transpose(this->Linear) * this->Linear;
   const double square = (gram[0][0] + gram[1][1] + gram[2][2]) / 3.0;
   for (int i = 0; i < 3; ++i)
@@ -109,92 +106,61 @@ void rtglyphs::GlyphPlacement::Apply(bool sphere, glm::dvec3& size, glm::dquat& 
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dquat& rotation)
 {
-  const auto finite = [tuple](int n)
-  { return std::all_of(tuple, tuple + n, [](double v) { return std::isfinite(v); }); };
-  switch (mode)
+  const int length = mode == rtglyphs::GlyphSettings::QUATERNION ? 4 : mode == rtglyphs::GlyphSettings::MATRIX ? 9 : 3;
+  double largest = 0.0;
+  for (int i = 0; i < length; ++i)
   {
-    case rtglyphs::GlyphSettings::ROTATION:
+    if (!std::isfinite(tuple[i]))
     {
-      if (!finite(3))
-      {
-        return false;
-      }
-      const glm::dvec3 half = 0.5 * glm::radians(glm::dvec3(tuple[0], tuple[1], tuple[2]));
-      rotation = glm::dquat(std::cos(half.z), 0.0, 0.0, std::sin(half.z)) *
-        glm::dquat(std::cos(half.x), std::sin(half.x), 0.0, 0.0) *
-        glm::dquat(std::cos(half.y), 0.0, std::sin(half.y), 0.0);
-      return true;
+      return false;
     }
-    case rtglyphs::GlyphSettings::QUATERNION:
-    {
-      if (!finite(4))
-      {
-        return false;
-      }
-      // Scaled first: the square of a tiny or huge component would leave the range of double.
-      const double largest =
-        std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]), std::abs(tuple[3]) });
-      if (largest == 0.0)
-      {
-        return false;
-      }
-      rotation =
-        glm::normalize(glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
-      return true;
-    }
-    case rtglyphs::GlyphSettings::MATRIX:
-    {
-      if (!finite(9))
-      {
-        return false;
-      }
-      const double largest =
-        std::abs(*std::max_element(tuple, tuple + 9, [](double a, double b) { return std::abs(a) < std::abs(b); }));
-      if (largest == 0.0)
-      {
-        return false;
-      }
-      glm::dmat3 axes; // column by column
-      for (int i = 0; i < 9; ++i)
-      {
-        axes[i % 3][i / 3] = tuple[i] / largest;
-      }
-      // Lengths say nothing, nor do small angles that rounding has left; a mirror image is no rotation.
-      axes[0] = glm::normalize(axes[0]);
-      axes[1] = glm::normalize(axes[1] - glm::dot(axes[0], axes[1]) * axes[0]);
-      const glm::dvec3 third = glm::cross(axes[0], axes[1]);
-      if (!(glm::dot(third, axes[2]) > 0.0))
-      {
-        return false; // NaN where an axis is zero or parallel to another
-      }
-      axes[2] = third;
-      rotation = glm::normalize(glm::quat_cast(axes));
-      return true;
-    }
-    default:
-    {
-      if (!finite(3))
-      {
-        return false;
-      }
-      const double largest = std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) });
-      if (largest == 0.0)
-      {
-        return false;
-      }
-      // A half turn about the middle between +x and the direction. It is +z for -x, as in vtkGlyph3DMapper.
-      const glm::dvec3 direction = glm::normalize(glm::dvec3(tuple[0], tuple[1], tuple[2]) / largest);
-      if (direction.y == 0.0 && direction.z == 0.0)
-      {
-        rotation = direction.x < 0.0 ? glm::dquat(0.0, 0.0, 1.0, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
-        return true;
-      }
-      // 1 + x loses its digits where the direction is nearly -x; there (y^2 + z^2) / (1 - x) is the same.
-      const double yz = direction.y * direction.y + direction.z * direction.z;
-      const double x = direction.x < 0.0 ? yz / (1.0 - direction.x) : 1.0 + direction.x;
-      const glm::dvec3 axis = glm::normalize(glm::dvec3(x, direction.y, direction.z));
-      rotation = glm::dquat(0.0, axis.x, axis.y, axis.z);
-      return true;
-    }
+    largest = std::max(largest, std::abs(tuple[i]));
   }
+  if (mode == rtglyphs::GlyphSettings::ROTATION)
+  {
+    const glm::dvec3 half = 0.5 * glm::radians(glm::dvec3(tuple[0], tuple[1], tuple[2]));
+    rotation = glm::dquat(std::cos(half.z), 0.0, 0.0, std::sin(half.z)) *
+      glm::dquat(std::cos(half.x), std::sin(half.x), 0.0, 0.0) *
+      glm::dquat(std::cos(half.y), 0.0, std::sin(half.y), 0.0);
+    return true;
+  }
+  if (largest == 0.0)
+  {
+    return false;
+  }
+  // Scaled first: the square of a tiny or huge component would leave the range of double.
+  if (mode == rtglyphs::GlyphSettings::QUATERNION)
+  {
+    rotation =
+      glm::normalize(glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
+    return true;
+  }
+  if (mode == rtglyphs::GlyphSettings::MATRIX)
+  {
+    glm::dmat3 axes = glm::transpose(glm::make_mat3(tuple)) / largest; // column by column
+    // Lengths say nothing, nor do small angles that rounding has left; a mirror image is no rotation.
+    axes[0] = glm::normalize(axes[0]);
+    axes[1] = glm::normalize(axes[1] - glm::dot(axes[0], axes[1]) * axes[0]);
+    const glm::dvec3 third = glm::cross(axes[0], axes[1]);
+    if (!(glm::dot(third, axes[2]) > 0.0))
+    {
+      return false; // NaN where an axis is zero or parallel to another
+    }
+    axes[2] = third;
+    rotation = glm::normalize(glm::quat_cast(axes));
+    return true;
+  }
+  // A half turn about the middle between +x and the direction. It is +z for -x, as in vtkGlyph3DMapper.
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(tuple[0], tuple[1], tuple[2]) / largest);
+  if (direction.y == 0.0 && direction.z == 0.0)
+  {
+    rotation = direction.x < 0.0 ? glm::dquat(0.0, 0.0, 1.0, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
+    return true;
+  }
+  // 1 + x loses its digits where the direction is nearly -x; there (y^2 + z^2) / (1 - x) is the same.
+  const double yz = direction.y * direction.y + direction.z * direction.z;
+  const double x = direction.x < 0.0 ? yz / (1.0 - direction.x) : 1.0 + direction.x;
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(x, direction.y, direction.z));
+  rotation = glm::dquat(0.0, axis.x, axis.y, axis.z);
+  return true;
 }

@@ -114,4 +114,3 @@ std::vector<double> ArrowScales(vtkPolyData* data, const rtglyphs::GlyphScaling&
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphSample.h

@@ -46,19 +46,18 @@ struct Extents
 std::vector<double> NearestSquared(const Points& points, const std::vector<double>& pivots, double length)
 {
   const std::size_t count = pivots.size() / 3;
-  std::vector<double> x(count), y(count), z(count), nearest(count, HUGE_VAL);
+  std::vector<double> x(count), y(count), z(count);
   for (std::size_t j = 0; j < count; ++j)
   {
     x[j] = pivots[3 * j] / length;
     y[j] = pivots[3 * j + 1] / length;
     z[j] = pivots[3 * j + 2] / length;
   }
-  std::vector<std::vector<double>> found(rtglyphs::RayTracedParallel::NumberOfChunks(points.Number()));
-  rtglyphs::RayTracedParallel::ForChunks(points.Number(),
-    [&](vtkIdType begin, vtkIdType end)
+  return rtglyphs::RayTracedParallel::Reduce(
+    points.Number(), std::vector<double>(count, HUGE_VAL),
+    [&](vtkIdType begin, vtkIdType end, std::vector<double>& own)
     {
       rtglyphs::GlyphTuples positions(points.GetPositions());
-      std::vector<double> own(count, HUGE_VAL);
       for (vtkIdType i = begin; i < end; ++i)
       {
         const double* p = positions.Get(points[i]);
@@ -70,16 +69,12 @@ std::vector<double> NearestSquared(const Points& points, const std::vector<doubl
           own[j] = d > coincident * coincident && d < own[j] ? d : own[j];
         }
       }
-      found[rtglyphs::RayTracedParallel::ChunkOf(begin)] = std::move(own);
-    });
-  for (const std::vector<double>& own : found)
-  {
-    for (std::size_t j = 0; j < count; ++j)
+    },
+    [](std::vector<double>& all, const std::vector<double>& own)
     {
-      nearest[j] = std::min(nearest[j], own[j]);
-    }
-  }
-  return nearest;
+      std::transform(
+        own.begin(), own.end(), all.begin(), all.begin(), [](double a, double b) { return std::min(a, b); });
+    });
 }
 
 // The median of squared distances over the space that points fill: each counts as much as it has of that.

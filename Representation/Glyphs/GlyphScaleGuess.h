@@ -37,4 +37,3 @@ Update(GlyphKeptGuess& kept, vtkPolyData* points, const GlyphSettings& settings,
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphScaleGuess.h

@@ -234,4 +234,3 @@ struct GlyphSettings : GlyphScaling
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphSettings.h

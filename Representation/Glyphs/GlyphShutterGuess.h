@@ -24,4 +24,3 @@ double Update(GlyphKeptGuess& kept, vtkPolyData* points, const GlyphSettings& se
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphShutterGuess.h

@@ -118,4 +118,3 @@ struct GlyphSizing
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphSizing.h

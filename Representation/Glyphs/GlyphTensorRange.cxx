@@ -16,35 +16,28 @@ using Range = std::array<double, 2>; // the least number, and the negative of th
 
 constexpr Range nothing{ HUGE_VAL, HUGE_VAL };
 
-Range Both(const Range& a, const Range& b)
+void Include(Range& all, const Range& own)
 {
-  return { std::min(a[0], b[0]), std::min(a[1], b[1]) };
+  all = { std::min(all[0], own[0]), std::min(all[1], own[1]) };
 }
 
 Range RangeOfTensors(vtkDataArray* array, vtkIdType count, const rtglyphs::GlyphTensors::Settings& settings)
 {
   const rtglyphs::GlyphTensors tensors(array, settings, {});
-  std::vector<Range> ranges(rtglyphs::RayTracedParallel::NumberOfChunks(count), nothing);
-  rtglyphs::RayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
+  return rtglyphs::RayTracedParallel::Reduce(
+    count, nothing,
+    [&](vtkIdType begin, vtkIdType end, Range& own)
     {
-      Range own = nothing;
       double value = 0.0;
       for (vtkIdType point = begin; point < end; ++point)
       {
         if (tensors.Number(point, value))
         {
-          own = Both(own, { value, -value });
+          Include(own, { value, -value });
         }
       }
-      ranges[rtglyphs::RayTracedParallel::ChunkOf(begin)] = own;
-    });
-  Range all = nothing;
-  for (const Range& range : ranges)
-  {
-    all = Both(all, range);
-  }
-  return all;
+    },
+    &Include);
 }
 
 Range RangeOfPolynomials(vtkDataArray* array, const rtglyphs::GlyphForms::Settings& settings)
@@ -92,18 +85,16 @@ double rtglyphs::GlyphTensorRange::NegativeFraction(vtkPolyData* points, const r
   this->Counted.Update({ tensors, array ? array->GetMTime() : 0 },
     [&]
     {
-      this->Counts.assign(2, 0.0);
+      this->Counts = {};
       if (!array || !rtglyphs::GlyphTensors::Problem(array, tensors).empty())
       {
         return;
       }
       const rtglyphs::GlyphTensors all(array, tensors, {});
-      const vtkIdType count = points->GetNumberOfPoints();
-      std::vector<std::array<double, 2>> counts(rtglyphs::RayTracedParallel::NumberOfChunks(count));
-      rtglyphs::RayTracedParallel::ForChunks(count,
-        [&](vtkIdType begin, vtkIdType end)
+      this->Counts = rtglyphs::RayTracedParallel::Reduce(
+        points->GetNumberOfPoints(), glm::dvec2(0.0),
+        [&](vtkIdType begin, vtkIdType end, glm::dvec2& own)
         {
-          std::array<double, 2>& own = counts[rtglyphs::RayTracedParallel::ChunkOf(begin)];
           glm::dvec3 values;
           for (vtkIdType point = begin; point < end; ++point)
           {
@@ -111,14 +102,10 @@ double rtglyphs::GlyphTensorRange::NegativeFraction(vtkPolyData* points, const r
             own[0] += good && values.z < -rounding * std::max(std::abs(values.x), std::abs(values.z)) ? 1.0 : 0.0;
             own[1] += good ? 1.0 : 0.0;
           }
-        });
-      for (const std::array<double, 2>& own : counts)
-      {
-        this->Counts[0] += own[0];
-        this->Counts[1] += own[1];
-      }
+        },
+        [](glm::dvec2& all, const glm::dvec2& own) { all += own; });
     });
-  std::vector<double> counts = this->Counts;
+  std::vector<double> counts{ this->Counts[0], this->Counts[1] };
   rtglyphs::RayTracedRanks::Reduce(counts, vtkCommunicator::SUM_OP);
   return counts[1] > 0.0 ? counts[0] / counts[1] : 0.0;
 }

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <tuple>
-#include <vector>
 
 class vtkPolyData;
 
@@ -36,11 +35,10 @@ public:
 private:
   std::array<double, 2> Own{}; // of this rank: the least number, and the negative of the largest
   RayTracedCache<std::tuple<GlyphTensors::Settings, GlyphForms::Settings, vtkMTimeType>> Known;
-  std::vector<double> Counts{ 0.0, 0.0 }; // of this rank's tensors: with a negative eigenvalue, all
+  glm::dvec2 Counts{ 0.0 }; // of this rank's tensors: with a negative eigenvalue, all
   RayTracedCache<std::tuple<GlyphTensors::Source, vtkMTimeType>> Counted;
 };
 
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphTensorRange.h

@@ -1,6 +1,7 @@
 #include "GlyphTensors.h"
 
 #include "Finite.h"
+#include "GlyphTuples.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "vtkDataArray.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace
 {
@@ -151,28 +151,12 @@ rtglyphs::GlyphTensors::Settings rtglyphs::GlyphTensors::Settings::Effective() c
 //----------------------------------------------------------------------------
 std::string rtglyphs::GlyphTensors::Problem(vtkDataArray* array, const Settings& settings)
 {
-  std::ostringstream text;
-  if (rtglyphs::RayTracedArrays::IsNone(settings.Array))
-  {
-    return "Tensor glyphs need tensors. Choose a point array of 6 or 9 components as "
-           "GlyphTensorArray.";
-  }
-  if (!array)
-  {
-    text << "There is no point array '" << settings.Array
-         << "', which GlyphTensorArray names, so there are no glyphs. Choose one of 6 or 9 "
-            "components.";
-    return text.str();
-  }
-  if (!Order(array, settings.Layout))
-  {
-    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has "
-         << array->GetNumberOfComponents() << " components where "
-         << (settings.Layout == MATRIX ? "9, or 4 of a plane," : "6 or 9, 7 with a confidence, or 3 or 4 of a plane")
-         << " are needed, so there are no glyphs. Choose another array"
-         << (array->GetNumberOfComponents() == 6 ? " or another GlyphTensorLayout." : ".");
-  }
-  return text.str();
+  const bool fits = array && Order(array, settings.Layout);
+  const bool plane = settings.Layout == MATRIX; // whose layout other tuples do not have
+  return rtglyphs::GlyphArrays::Problem(settings.Array, array, fits, "Tensor glyphs need tensors", "GlyphTensorArray",
+    !array    ? "6 or 9"
+      : plane ? "9, or 4 of a plane, with GlyphTensorLayout Matrix"
+              : "6 or 9, 7 with a confidence, or 3 or 4 of a plane");
 }
 
 //----------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 #include "RayTracedArrays.h"
 #include "RayTracedBlocks.h"
 #include "RayTracedParallel.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"

@@ -152,4 +152,3 @@ std::vector<vtkIdType> Candidates(vtkPolyData* points, const GlyphScaling& setti
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphTuples.h

@@ -11,7 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkViewport.h"
 #include "vtkWindow.h"

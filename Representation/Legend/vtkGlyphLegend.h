@@ -15,7 +15,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 class vtkActor;
 class vtkPVRenderView;

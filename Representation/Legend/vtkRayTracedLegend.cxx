@@ -1,13 +1,10 @@
 #include "vtkRayTracedLegend.h"
 
-#include "vtkActor2D.h"
 #include "vtkBorderRepresentation.h"
 #include "vtkBoundingBox.h"
 #include "vtkContext2DScalarBarActor.h"
 #include "vtkCoordinate.h"
 #include "vtkPVRenderView.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty2D.h"
 #include "vtkRect.h"
@@ -15,7 +12,6 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 #include "vtkScalarBarRepresentation.h"
-#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
 #include "vtkViewport.h"
@@ -94,9 +90,6 @@ vtkRayTracedLegend::vtkRayTracedLegend()
   this->Text->GetTextProperty()->SetVerticalJustificationToBottom();
   this->PickableOff();
 }
-
-//----------------------------------------------------------------------------
-vtkRayTracedLegend::~vtkRayTracedLegend() = default;
 
 //----------------------------------------------------------------------------
 void vtkRayTracedLegend::AddTo(vtkPVRenderView* view)

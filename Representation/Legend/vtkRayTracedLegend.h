@@ -7,21 +7,21 @@
 #ifndef vtkRayTracedLegend_h
 #define vtkRayTracedLegend_h
 
+#include "vtkActor2D.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkProp.h"
+#include "vtkTextActor.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
-class vtkActor2D;
 class vtkBoundingBox;
 class vtkPVRenderView;
-class vtkPolyData;
-class vtkPolyDataMapper2D;
 class vtkRenderer;
-class vtkTextActor;
 
 class vtkRayTracedLegend : public vtkProp
 {
@@ -53,7 +53,7 @@ public:
 
 protected:
   vtkRayTracedLegend();
-  ~vtkRayTracedLegend() override;
+  ~vtkRayTracedLegend() override = default;
 
   /**
    * Sets the drawing, in pixels, and its box, and the words, which may be none; both are black or white, whichever

@@ -22,55 +22,38 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <regex>
+#include <string_view>
 #include <utility>
 
 vtkStandardNewMacro(vtkRayTracedGlyphMapper);
 
 namespace
 {
-using Hash = std::array<std::uint64_t, 2>;
-
-void MixWord(Hash& sum, std::uint64_t word)
-{
-  sum[0] = (sum[0] ^ word) * 0x9e3779b97f4a7c15ull;
-  sum[0] ^= sum[0] >> 32;
-  sum[1] = (sum[1] + word) * 0xd1342543de82ef95ull + 1;
-  sum[1] ^= sum[1] >> 29;
-}
-
-// Chunks of the values have hashes of their own, which are mixed in their order.
+// Chunks of the bytes have hashes of their own, which are hashed in their order.
 template <typename Value>
-void Mix(Hash& sum, const Value* values, std::size_t count)
+void Mix(std::size_t& sum, const Value* values, std::size_t count)
 {
-  const auto* bytes = reinterpret_cast<const unsigned char*>(values);
-  const auto size = static_cast<vtkIdType>(count * sizeof(Value));
-  std::vector<Hash> hashes(rtglyphs::RayTracedParallel::NumberOfChunks(size), Hash{ { 1, 2 } });
+  const std::string_view bytes(reinterpret_cast<const char*>(values), count * sizeof(Value));
+  const auto size = static_cast<vtkIdType>(bytes.size());
+  std::vector<std::size_t> hashes(rtglyphs::RayTracedParallel::NumberOfChunks(size));
   rtglyphs::RayTracedParallel::ForChunks(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Hash own = hashes[rtglyphs::RayTracedParallel::ChunkOf(begin)];
-      for (vtkIdType i = begin; i < end; i += sizeof(std::uint64_t))
-      {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes + i, std::min<vtkIdType>(end - i, sizeof(word)));
-        MixWord(own, word);
-      }
-      hashes[rtglyphs::RayTracedParallel::ChunkOf(begin)] = own;
+      hashes[rtglyphs::RayTracedParallel::ChunkOf(begin)] =
+        std::hash<std::string_view>()(bytes.substr(begin, end - begin));
     });
-  MixWord(sum, size);
-  for (const Hash& own : hashes)
-  {
-    MixWord(sum, own[0]);
-    MixWord(sum, own[1]);
-  }
+  hashes.insert(hashes.end(), { sum, bytes.size() });
+  sum = std::hash<std::string_view>()(
+    { reinterpret_cast<const char*>(hashes.data()), hashes.size() * sizeof(hashes.front()) });
 }
 
 // Of everything in the instances: data that are read or computed again and come out the same are not sent again.
-Hash DigestOf(const rtg::GlyphInstances& instances)
+std::size_t DigestOf(const rtg::GlyphInstances& instances)
 {
-  Hash sum{ { 1, 2 } };
+  std::size_t sum = 0;
   const rtg::ArrowForm& arrow = instances.arrow;
   const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
     arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize, static_cast<float>(instances.shape),
@@ -102,15 +85,6 @@ void KeepOfShells(const rtglyphs::GlyphSettings& settings, std::vector<std::stri
   {
     message = std::regex_replace(message, std::regex("GlyphTensorArray|SelectScaleArray"), "GlyphShellArray");
   }
-}
-
-// From blue at -1 over white to red at 1.
-void ColorOfShare(double share, double rgb[3])
-{
-  const double pale = 1.0 - std::abs(share);
-  rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
-  rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
-  rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
 }
 }
 
@@ -180,7 +154,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Radii = std::move(result.Radii);
   ++this->OriginalIdsVersion;
   this->Skipped = result.Skipped;
-  const Hash digest = DigestOf(this->Instances);
+  const std::size_t digest = DigestOf(this->Instances);
   if (this->InstanceVersion == 0 || this->Digest != digest)
   {
     this->Digest = digest;
@@ -256,32 +230,21 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 {
   constexpr int entries = 4096;
-  double top = *std::max_element(this->Radii.begin(), this->Radii.end());
-  if (this->TensorTable)
-  {
-    this->TensorTable->Build();
-    const double high = this->TensorTable->GetRange()[1] * (1.0 + 2.0 / entries); // the last ones lie above the range
-    top = high > 0.0 ? std::min(top, high) : top;
-  }
+  this->TensorTable->Build();
+  const double high = this->TensorTable->GetRange()[1] * (1.0 + 2.0 / entries); // the last ones lie above the range
+  const double largest = *std::max_element(this->Radii.begin(), this->Radii.end());
+  const double top = high > 0.0 ? std::min(largest, high) : largest;
   vtkNew<vtkDoubleArray> values;
   for (int i = 0; i < entries; ++i)
   {
     values->InsertNextValue(top * (i + 0.5) / entries);
   }
-  const vtkSmartPointer<vtkUnsignedCharArray> mapped = this->TensorTable ? this->TableColors(values) : nullptr;
+  const vtkSmartPointer<vtkUnsignedCharArray> mapped = this->TableColors(values);
   colors.table.resize(entries + 2);
   for (int i = 0; i < entries; ++i)
   {
     std::array<double, 4> rgba{ { 1.0, 1.0, 1.0, 1.0 } };
-    if (mapped)
-    {
-      ReadColor(mapped, i, rgba);
-    }
-    else
-    {
-      ColorOfShare(
-        this->TensorRange[1] > 0.0 ? std::min(values->GetValue(i) / this->TensorRange[1], 1.0) : 0.0, rgba.data());
-    }
+    ReadColor(mapped, i, rgba);
     colors.table[i] = Pack(rgba);
   }
   std::fill_n(colors.table.end() - 2, 2, colors.table.front());
@@ -291,34 +254,23 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 }
 
 //----------------------------------------------------------------------------
-// Colors without a table.
-void vtkRayTracedGlyphMapper::TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
+// Magnitudes of the eigenvalues over the largest.
+void vtkRayTracedGlyphMapper::EigenvaluesAsColor(
+  const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
-  const bool anisotropy = this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
-  const double range = anisotropy ? 1.0 : std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
-  const auto shareOf = [range](double value)
-  { return range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0; };
-  if (this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
+  const double range = std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
+  glm::dvec3 values;
+  for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
   {
-    glm::dvec3 values;
-    for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
-    {
-      rgb[i] = std::abs(shareOf(values[i]));
-    }
-    return;
+    rgb[i] = range > 0.0 ? std::min(std::abs(values[i]) / range, 1.0) : 0.0;
   }
-  double value = 0.0;
-  if (!tensors.Number(point, value))
-  {
-    return;
-  }
-  ColorOfShare(shareOf(value), rgb);
 }
 
 //----------------------------------------------------------------------------
 // RGBA of each number, as the table gives it to arrays.
 vtkSmartPointer<vtkUnsignedCharArray> vtkRayTracedGlyphMapper::TableColors(vtkDoubleArray* numbers)
 {
+  this->TensorTable->Build();
   return vtk::TakeSmartPointer(this->TensorTable->MapScalars(numbers, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
 }
 
@@ -328,14 +280,8 @@ vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const rtglyph
   auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
   numbers->SetNumberOfTuples(this->OriginalIds.size());
   numbers->Fill(vtkMath::Nan());
-  rtglyphs::RayTracedParallel::ForChunks(numbers->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType glyph = begin; glyph < end; ++glyph)
-      {
-        tensors.Number(this->OriginalIds[glyph], *numbers->GetPointer(glyph));
-      }
-    });
+  rtglyphs::RayTracedParallel::ForEach(numbers->GetNumberOfTuples(),
+    [&](vtkIdType glyph) { tensors.Number(this->OriginalIds[glyph], *numbers->GetPointer(glyph)); });
   return numbers;
 }
 
@@ -404,10 +350,6 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     tensors = std::make_unique<rtglyphs::GlyphTensors>(
       rtglyphs::GlyphTensors::Array(points, shown), shown, this->OriginalIds.ToVector());
-    if (this->TensorTable)
-    {
-      this->TensorTable->Build();
-    }
   }
   else if (!shown.Axes && !bySurface && !byDirection)
   {
@@ -426,44 +368,41 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
 
   rtg::GlyphColours colors;
-  if (byRadius && !this->Radii.empty())
+  if (byRadius && this->TensorTable && !this->Radii.empty())
   {
     this->AddRadiusColors(colors);
   }
   if (mapped.Any || tensors || byDirection || this->HasOwnLooks() || selected)
   {
     colors.each.resize(this->OriginalIds.size());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
-      [&](vtkIdType begin, vtkIdType end)
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(colors.each.size()),
+      [&](vtkIdType glyph)
       {
-        for (vtkIdType glyph = begin; glyph < end; ++glyph)
+        const vtkIdType point = this->OriginalIds[glyph];
+        std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
+        const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+        if (byDirection && !block.Color)
         {
-          const vtkIdType point = this->OriginalIds[glyph];
-          std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
-          const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
-          if (byDirection && !block.Color)
-          {
-            std::copy_n(directions[glyph].begin(), 3, rgba.begin());
-          }
-          else if (shown.Axes || (tensors && !block.Color))
-          {
-            rgba = { { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-            if (table)
-            {
-              ReadColor(table, glyph, rgba);
-            }
-            else if (tensors)
-            {
-              this->TensorColor(*tensors, point, rgba.data());
-            }
-            rgba[3] *= block.Opacity;
-          }
-          if (bySurface)
-          {
-            rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs the colors of their surfaces
-          }
-          colors.each[glyph] = selected && selected->GetValue(point) ? this->Tinted(Pack(rgba)) : Pack(rgba);
+          std::copy_n(directions[glyph].begin(), 3, rgba.begin());
         }
+        else if (shown.Axes || (tensors && !block.Color))
+        {
+          rgba = { { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
+          if (table)
+          {
+            ReadColor(table, glyph, rgba);
+          }
+          else if (tensors && shown.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
+          {
+            this->EigenvaluesAsColor(*tensors, point, rgba.data());
+          }
+          rgba[3] *= block.Opacity;
+        }
+        if (bySurface)
+        {
+          rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs the colors of their surfaces
+        }
+        colors.each[glyph] = selected && selected->GetValue(point) ? this->Tinted(Pack(rgba)) : Pack(rgba);
       });
   }
   if (this->NeedsSolidColor())

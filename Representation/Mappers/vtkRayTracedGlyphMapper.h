@@ -30,9 +30,8 @@ public:
 
   ///@{
   /**
-   * The table that numbers of tensors (GlyphTensors::IsNumber) and radii of polynomials are colored by; null: from
-   * blue over white to red, by their ratio to the largest magnitude in the range, as with
-   * GlyphTensors::EIGENVALUES; of fractional anisotropies by themselves.
+   * The table that numbers of tensors (GlyphTensors::IsNumber) and radii of polynomials are colored by, which
+   * RayTracedTensorTable chooses; and of GlyphTensors::EIGENVALUES the range.
    */
   void SetTensorTable(vtkScalarsToColors* table);
   void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
@@ -63,7 +62,7 @@ protected:
   bool NeedsSolidColor() const override { return !this->TrailEnds.empty() && this->TrailFading > 0.0; }
 
 private:
-  void TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
+  void EigenvaluesAsColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
   std::vector<std::array<double, 3>> DirectionsAsColors(
     vtkPolyData* points, const rtglyphs::GlyphTensors* tensors, std::vector<std::string>& messages) const;
   vtkSmartPointer<vtkDoubleArray> NumbersOf(const rtglyphs::GlyphTensors& tensors);
@@ -83,7 +82,7 @@ private:
   std::vector<std::array<std::uint16_t, 2>> TrailEnds; // as GlyphTrails has them
   double TrailFading = 0.0;
   bool InstancesTaken = false;
-  std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
+  std::size_t Digest = 0; // of the instances of InstanceVersion
 };
 
 #endif

@@ -20,6 +20,8 @@
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/packing.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -103,12 +105,7 @@ vtkUnsignedCharArray* vtkRayTracedMapper::Selected(vtkDataSetAttributes* data)
 //----------------------------------------------------------------------------
 std::uint32_t vtkRayTracedMapper::Pack(const std::array<double, 4>& rgba)
 {
-  std::uint32_t packed = 0;
-  for (int c = 0; c < 4; ++c)
-  {
-    packed |= static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0)) << (8 * c);
-  }
-  return packed;
+  return glm::packUnorm4x8(glm::vec4(rgba[0], rgba[1], rgba[2], rgba[3]));
 }
 
 //----------------------------------------------------------------------------
@@ -249,15 +246,12 @@ bool vtkRayTracedMapper::TakeValues(const rtglyphs::RayTracedBlocks::Block& bloc
     mapped.Values.assign(this->Points->GetNumberOfPoints(), rtg::noValue);
   }
   mapped.OneTable &= mapped.Table == table;
-  rtglyphs::RayTracedParallel::ForChunks(points,
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(points,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
-        mapped.Values[block.FirstPoint + i] =
-          isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f) : rtg::notANumber;
-      }
+      const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
+      mapped.Values[block.FirstPoint + i] =
+        isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f) : rtg::notANumber;
     });
   return true;
 }

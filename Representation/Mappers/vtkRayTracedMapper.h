@@ -105,6 +105,20 @@ public:
 
   ///@{
   /**
+   * The representation's work on its data before rendering: how often, and its seconds.
+   */
+  struct DataStatistics
+  {
+    unsigned int Representation = 0; // vtkPVDataRepresentation::GetUniqueIdentifier(); 0: of a layer of another one
+    std::uint64_t Gathers = 0, BoundsBuilds = 0;
+    double GatherSeconds = 0.0, BoundsSeconds = 0.0;
+  };
+  void SetDataStatistics(const DataStatistics& statistics) { this->OfData = statistics; }
+  const DataStatistics& GetDataStatistics() const { return this->OfData; }
+  ///@}
+
+  ///@{
+  /**
    * Missing input that the user must choose; empty: none. Who makes the choices in a
    * window, one after the other, is not warned of it.
    */
@@ -281,6 +295,7 @@ private:
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
+  DataStatistics OfData;
   rtglyphs::RayTracedCache<InstanceKey> Built;
   rtglyphs::RayTracedCache<ColorKey> Colored;
   std::shared_ptr<const rtg::Section> Section = std::make_shared<rtg::Section>();

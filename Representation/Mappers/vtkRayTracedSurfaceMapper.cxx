@@ -5,7 +5,6 @@
 #include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
@@ -13,8 +12,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkRayTracedSurfaceMapper);
@@ -92,26 +89,15 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
   if (mapped.OfCells)
   {
     colored->triangleColours.resize(mesh.triangles.size());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i]));
-        }
-      });
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.triangles.size()),
+      [&](vtkIdType i)
+      { colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i])); });
   }
   else if (mapped.Any || this->HasOwnLooks())
   {
     colored->positionColours.resize(mesh.positions.size());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          colored->positionColours[i] = Pack(this->ColorOf(mapped, i, -1));
-        }
-      });
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.positions.size()),
+      [&](vtkIdType i) { colored->positionColours[i] = Pack(this->ColorOf(mapped, i, -1)); });
   }
 
   this->Translucent = rtg::IsTranslucent(*colored);

@@ -89,23 +89,19 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     }
     return bits;
   };
-  rtglyphs::RayTracedParallel::ForChunks(this->OriginalIds.size(),
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(this->OriginalIds.size(),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      const auto [first, last] = this->Ends[i];
+      if (each)
       {
-        const auto [first, last] = this->Ends[i];
-        if (each)
-        {
-          const std::uint32_t color = ends
-            ? 0xffffffffu
-            : Pack(this->ColorOf(mapped, first, this->OriginalIds[i])); // white leaves the ends theirs
-          colors.each[i] = points && isSelected(i) ? this->Tinted(color) : color;
-        }
-        if (ends)
-        {
-          colors.ends[i] = { atEnd(i, 0), atEnd(i, 1) };
-        }
+        const std::uint32_t color =
+          ends ? 0xffffffffu : Pack(this->ColorOf(mapped, first, this->OriginalIds[i])); // white leaves the ends theirs
+        colors.each[i] = points && isSelected(i) ? this->Tinted(color) : color;
+      }
+      if (ends)
+      {
+        colors.ends[i] = { atEnd(i, 0), atEnd(i, 1) };
       }
     });
   this->SetColors(std::move(colors), messages);

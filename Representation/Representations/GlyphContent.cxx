@@ -264,8 +264,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->Common.Parts.Mapper.Get());
   main->SetSettings(settings, this->Meshes.GetMesh(0));
   main->SetTensorTable(this->TensorTable);
-  if (settings.HasNumberRange() &&
-    (!this->TensorTable || settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES))
+  if (settings.HasNumberRange() && settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
   {
     main->SetTensorRange(this->ShownRange.Get(frame.Points, settings, frame.Collective));
   }

@@ -1,7 +1,6 @@
 #include "GlyphLayers.h"
 
-#include "vtkMatrix4x4.h"
-#include "vtkProperty.h"
+#include "RayTracedParts.h"
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphLayers::Layer::Follow(
@@ -9,13 +8,7 @@ void rtglyphs::GlyphLayers::Layer::Follow(
 {
   this->Mapper->SetSelectionColor(selectionColor);
   this->Mapper->SetBlocks(blocks);
-  this->Actor->GetProperty()->DeepCopy(main->GetProperty());
-  this->Actor->GetProperty()->SetAmbientColor(main->GetProperty()->GetAmbientColor()); // which VTK 9.6 does not copy
-  vtkNew<vtkMatrix4x4> matrix;
-  main->GetMatrix(matrix);
-  this->Actor->SetUserMatrix(matrix);
-  this->Actor->SetPickable(main->GetPickable());
-  this->Actor->SetVisibility(main->GetVisibility());
+  rtglyphs::RayTracedParts::Copy(main, this->Actor);
 }
 
 //----------------------------------------------------------------------------

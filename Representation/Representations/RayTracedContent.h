@@ -109,4 +109,3 @@ protected:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedContent.h

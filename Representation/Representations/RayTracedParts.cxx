@@ -34,11 +34,28 @@ void rtglyphs::RayTracedParts::Remove(
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedParts::Follow(vtkActor* actor, vtkProperty* source, bool visible)
+void rtglyphs::RayTracedParts::Copy(vtkActor* from, vtkActor* to)
+{
+  to->GetProperty()->DeepCopy(from->GetProperty());
+  to->GetProperty()->SetAmbientColor(from->GetProperty()->GetAmbientColor()); // which VTK 9.6 does not copy
+  vtkNew<vtkMatrix4x4> matrix;
+  from->GetMatrix(matrix);
+  const double* elements = matrix->GetData();
+  if (!std::all_of(elements, elements + 16, [](double element) { return std::isfinite(element); }))
+  {
+    matrix->Identity();
+  }
+  to->SetUserMatrix(matrix);
+  to->SetPickable(from->GetPickable());
+  to->SetVisibility(from->GetVisibility());
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedParts::Follow(vtkActor* actor)
 {
   using namespace rtglyphs::RayTracedNumbers;
+  Copy(actor, this->Actor);
   vtkProperty* property = this->Actor->GetProperty();
-  property->DeepCopy(source);
   property->SetOpacity(NumberOr(property->GetOpacity(), 1.0));
   property->SetAmbient(NumberOr(property->GetAmbient(), 0.0));
   property->SetDiffuse(NumberOr(property->GetDiffuse(), 1.0));
@@ -50,20 +67,8 @@ void rtglyphs::RayTracedParts::Follow(vtkActor* actor, vtkProperty* source, bool
   property->SetCoatIOR(NumberOr(property->GetCoatIOR(), 2.0));
   property->SetCoatRoughness(NumberOr(property->GetCoatRoughness(), 0.0));
   const auto inRange = [](const double* color) { return ColorInRange(color[0], color[1], color[2]); };
-  // VTK 9.6's copy has the diffuse color for the ambient one.
-  property->SetAmbientColor(inRange(source->GetAmbientColor()).data());
+  property->SetAmbientColor(inRange(property->GetAmbientColor()).data());
   property->SetDiffuseColor(inRange(property->GetDiffuseColor()).data());
   property->SetSpecularColor(inRange(property->GetSpecularColor()).data());
   property->SetCoatColor(inRange(property->GetCoatColor()).data());
-
-  vtkNew<vtkMatrix4x4> matrix;
-  actor->GetMatrix(matrix);
-  const double* elements = matrix->GetData();
-  if (!std::all_of(elements, elements + 16, [](double element) { return std::isfinite(element); }))
-  {
-    matrix->Identity();
-  }
-  this->Actor->SetUserMatrix(matrix);
-  this->Actor->SetPickable(actor->GetPickable());
-  this->Actor->SetVisibility(visible);
 }

@@ -47,10 +47,14 @@ public:
   /**
    * Appearance and place of ParaView's actor, which is not rendered and whose numbers may be NaN or infinite.
    */
-  void Follow(vtkActor* actor, vtkProperty* property, bool visible);
+  void Follow(vtkActor* actor);
+
+  /**
+   * The same of an actor whose numbers are good, for another one.
+   */
+  static void Copy(vtkActor* from, vtkActor* to);
 };
 
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedParts.h

@@ -46,4 +46,3 @@ rtg::PeriodicImages Moved(rtg::PeriodicImages images, vtkMatrix4x4* matrix);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedPeriodic.h

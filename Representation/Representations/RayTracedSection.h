@@ -49,4 +49,3 @@ struct RayTracedSection
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedSection.h

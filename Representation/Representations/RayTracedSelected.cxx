@@ -1,7 +1,21 @@
 #include "RayTracedSelected.h"
 
-#include "GlyphSelection.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTree.h"
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -16,6 +30,84 @@ bool HasSelection(vtkAlgorithm* representation, int port)
     producer = producer->GetInputAlgorithm(0, 0);
   }
   return producer && producer->GetNumberOfInputPorts() > 1 && producer->GetNumberOfInputConnections(1) > 0;
+}
+
+using Id = std::pair<unsigned int, vtkTypeInt64>; // flat index of the block, number in it
+
+// Those of points, and EncodeCellId() those of cells, sorted.
+void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
+{
+  if (!extracted)
+  {
+    return;
+  }
+  const auto add = [&](vtkDataArray* originals, vtkTypeInt64 mark)
+  {
+    for (vtkIdType i = 0; originals && i < originals->GetNumberOfTuples(); ++i)
+    {
+      ids.emplace_back(block, static_cast<vtkTypeInt64>(originals->GetComponent(i, 0)) + mark);
+    }
+  };
+  add(extracted->GetPointData()->GetArray("vtkOriginalPointIds"), 0);
+  add(extracted->GetCellData()->GetArray("vtkOriginalCellIds"), rtglyphs::RayTracedArrays::CellIdOffset);
+}
+
+// For each of so many points or cells, whether it is among the ids, which are sorted.
+vtkSmartPointer<vtkUnsignedCharArray>
+Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataArray* numbers, vtkTypeInt64 mark)
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(rtglyphs::RayTracedArrays::Selected);
+  rtglyphs::RayTracedArrays::Resize(array, count);
+  rtglyphs::RayTracedParallel::ForEach(count,
+    [&](vtkIdType i)
+    {
+      const Id id(block, mark + (numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i));
+      array->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
+    });
+  return array;
+}
+
+// The tree with an array RayTracedArrays::Selected of the points of each leaf, 1 where the extracted data have the
+// point or the cell that the glyph stands for; lines have one of their cells, too. Data of several ranks, some without
+// a selected point, are put together, so all have the array; `gathered` itself where `extracted` is null.
+vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* gathered, vtkDataObject* extracted)
+{
+  if (!extracted)
+  {
+    return gathered;
+  }
+  std::vector<Id> ids;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(extracted))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      AddIds(ids, vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()), leaf->GetCurrentFlatIndex());
+    }
+  }
+  else
+  {
+    AddIds(ids, vtkDataSet::SafeDownCast(extracted), 0);
+  }
+  std::sort(ids.begin(), ids.end());
+
+  return rtglyphs::RayTracedTree::Change(gathered,
+    [&ids](vtkPolyData* points)
+    {
+      auto marked = vtkSmartPointer<vtkPolyData>::New();
+      marked->ShallowCopy(points);
+      const unsigned int block = rtglyphs::RayTracedTree::FlatIndex(points);
+      vtkDataArray* numbers = points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::PointIds);
+      marked->GetPointData()->AddArray(Marks(ids, block, points->GetNumberOfPoints(), numbers, 0));
+      if (points->GetNumberOfLines() > 0)
+      {
+        numbers = points->GetCellData()->GetArray(rtglyphs::RayTracedArrays::CellIds);
+        marked->GetCellData()->AddArray(
+          Marks(ids, block, points->GetNumberOfCells(), numbers, rtglyphs::RayTracedArrays::CellIdOffset));
+      }
+      return marked;
+    });
 }
 }
 
@@ -39,5 +131,5 @@ vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedSelected::Gather(vtkDataObject
     this->Times = times;
     this->Options = options;
   }
-  return rtglyphs::GlyphSelection::Mark(this->Gathered, marks ? this->Extracted.Get() : nullptr);
+  return Mark(this->Gathered, marks ? this->Extracted.Get() : nullptr);
 }

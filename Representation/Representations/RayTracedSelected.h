@@ -2,10 +2,8 @@
  * @class   RayTracedSelected
  * @brief   marks in what is gathered of a representation's input what ParaView's selection has of it
  *
- * The filter that extracts the selection of the input is an input of the representation. Another selection gathers
- * nothing anew.
- *
- * @sa GlyphSelection
+ * ParaView draws what is selected of a source as points, which lie inside the glyphs. The filter that extracts them for
+ * that purpose has the ids, and is an input of the representation. Another selection gathers nothing anew.
  */
 #ifndef RayTracedSelected_h
 #define RayTracedSelected_h
@@ -47,4 +45,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedSelected.h

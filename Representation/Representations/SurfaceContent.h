@@ -39,4 +39,3 @@ public:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: SurfaceContent.h

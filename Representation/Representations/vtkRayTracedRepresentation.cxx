@@ -4,7 +4,6 @@
 #include "Glyphs.h"
 #include "Tracer.h"
 #include "RayTracedArrays.h"
-#include "RayTracedDisplays.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
@@ -375,7 +374,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     std::copy_n(this->GetDataBounds(points), 6, bounds);
     rtglyphs::ExtendBounds(this->MakeImages(points, this->Piece, /*together=*/true), bounds);
     rtglyphs::RayTracedParts& parts = this->Common.Parts;
-    parts.Follow(this->Actor, this->Property, this->GetVisibility());
+    parts.Follow(this->Actor);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, parts.Actor->GetMatrix());
     if (parts.Mapper)
     {
@@ -527,7 +526,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     parts.Mapper = this->Content->MakeMapper();
     parts.Add(this, view, parts.Actor, parts.Mapper);
   }
-  parts.Follow(this->Actor, this->Property, this->GetVisibility());
+  parts.Follow(this->Actor);
   std::string problem;
   *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
   this->ReportAnew(problem, this->SectionProblem);
@@ -559,9 +558,8 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   this->SetPartBounds(bounds);
   *parts.Images = rtglyphs::Moved(images, parts.Actor->GetMatrix());
   scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
-  scene->SetStatistics(parts.Mapper,
-    { this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
-      this->Bounds.GetSeconds() });
+  parts.Mapper->SetDataStatistics({ this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(),
+    this->GatherSeconds, this->Bounds.GetSeconds() });
 }
 
 //----------------------------------------------------------------------------

@@ -50,16 +50,6 @@ void rtglyphs::RayTracedDisplays::Remove(vtkRayTracedMapper* mapper, rtglyphs::R
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedDisplays::SetStatistics(
-  vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics)
-{
-  if (const Display* known = this->Find(mapper))
-  {
-    this->All[known - this->All.data()].Data = statistics;
-  }
-}
-
-//----------------------------------------------------------------------------
 bool rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const rtglyphs::RayTracedImageSettings& settings,
   bool collective, rtglyphs::RayTracedImages& images, const std::function<void(const std::string&)>& report)
 {

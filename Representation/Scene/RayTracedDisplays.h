@@ -25,16 +25,6 @@ namespace rtglyphs
 class RayTracedImages;
 struct RayTracedImageSettings;
 
-/**
- * A representation's work on its data before rendering: how often, and its seconds.
- */
-struct RayTracedDataStatistics
-{
-  unsigned int Representation = 0; // vtkPVDataRepresentation::GetUniqueIdentifier(); 0: of a layer of another one
-  std::uint64_t Gathers = 0, BoundsBuilds = 0;
-  double GatherSeconds = 0.0, BoundsSeconds = 0.0;
-};
-
 class RayTracedDisplays
 {
 public:
@@ -47,7 +37,6 @@ public:
     rtg::PeriodicImages Images;
     bool Shown = false;       // in this frame
     bool Translucent = false; // and then in the translucent pass
-    RayTracedDataStatistics Data;
 
     // In the kernels.
     std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
@@ -69,8 +58,6 @@ public:
   void Add(vtkActor* actor, vtkRayTracedMapper* mapper);
   void Remove(vtkRayTracedMapper* mapper, RayTracedImages& images);
   ///@}
-
-  void SetStatistics(vtkRayTracedMapper* mapper, const RayTracedDataStatistics& statistics);
 
   /**
    * Brings instances and colors of all visible displays up to date and, where the settings want it and all ranks render

@@ -1,16 +1,8 @@
 #include "RayTracedFXAA.h"
 
 #include "vtkFXAAOptions.h"
-#include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkTextureObject.h"
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedFXAA::RayTracedFXAA() = default;
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedFXAA::~RayTracedFXAA() = default;
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedFXAA::Take(vtkRenderer* renderer)

@@ -7,12 +7,12 @@
 #define RayTracedFXAA_h
 
 #include "vtkNew.h"
+#include "vtkOpenGLFXAAFilter.h"
+#include "vtkTextureObject.h"
 
 #include <functional>
 
-class vtkOpenGLFXAAFilter;
 class vtkRenderer;
-class vtkTextureObject;
 
 namespace rtglyphs
 {
@@ -20,9 +20,6 @@ namespace rtglyphs
 class RayTracedFXAA
 {
 public:
-  RayTracedFXAA();
-  ~RayTracedFXAA();
-
   ///@{
   /**
    * Before a frame is drawn: takes FXAA over from the renderer where it is on. After it: gives it back.

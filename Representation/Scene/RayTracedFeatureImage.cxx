@@ -12,6 +12,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <filesystem>
+
 namespace
 {
 template <class Array>
@@ -32,9 +34,9 @@ std::string NameOfRank(const std::string& name)
   {
     return name;
   }
+  std::filesystem::path path(name);
   const std::string rank = "-" + std::to_string(rtglyphs::RayTracedRanks::Own());
-  const std::size_t dot = name.find_last_of("./\\");
-  return dot == std::string::npos || name[dot] != '.' ? name + rank : name.substr(0, dot) + rank + name.substr(dot);
+  return path.replace_filename(path.stem().string() + rank + path.extension().string()).string();
 }
 }
 

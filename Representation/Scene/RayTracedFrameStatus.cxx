@@ -154,12 +154,13 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
   std::size_t own = VIEW_NUMBERS;
   for (const rtglyphs::RayTracedDisplays::Display& display : displays.GetAll())
   {
-    if (display.Data.Representation != 0)
+    const vtkRayTracedMapper& mapper = *display.Mapper;
+    const vtkRayTracedMapper::DataStatistics& data = mapper.GetDataStatistics();
+    if (data.Representation != 0)
     {
-      const vtkRayTracedMapper& mapper = *display.Mapper;
       const bool cut = !mapper.GetSection().planes.empty() && count(own + GLYPHS) > 0;
       const bool takes = count(own + PARTS_CUT) > 0, leaves = count(own + PARTS_LEFT) > 0;
-      representations[std::to_string(display.Data.Representation)] = {
+      representations[std::to_string(data.Representation)] = {
         { "glyphs", count(own + GLYPHS) },
         { "skippedGlyphs", count(own + SKIPPED_GLYPHS) },
         { "missingInput", mapper.GetMissingInput() },
@@ -168,12 +169,12 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
             : !takes ? "Section has no effect: it does not meet what is shown"
             : leaves ? ""
                      : "Section cuts off all that is shown" },
-        { "gathers", display.Data.Gathers },
-        { "boundsBuilds", display.Data.BoundsBuilds },
+        { "gathers", data.Gathers },
+        { "boundsBuilds", data.BoundsBuilds },
         { "instanceBuilds", mapper.GetInstanceBuilds() },
         { "colorBuilds", mapper.GetColorBuilds() },
-        { "gatherSeconds", display.Data.GatherSeconds },
-        { "boundsSeconds", display.Data.BoundsSeconds },
+        { "gatherSeconds", data.GatherSeconds },
+        { "boundsSeconds", data.BoundsSeconds },
         { "instanceSeconds", mapper.GetInstanceSeconds() },
         { "colorSeconds", mapper.GetColorSeconds() },
       };

@@ -5,7 +5,6 @@
 #ifndef RayTracedFrameStatus_h
 #define RayTracedFrameStatus_h
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

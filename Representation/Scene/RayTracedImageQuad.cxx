@@ -10,14 +10,12 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,12 +66,6 @@ void Send(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, unsigned int
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
 }
 }
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedImageQuad::RayTracedImageQuad() = default;
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedImageQuad::~RayTracedImageQuad() = default;
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
@@ -174,34 +166,26 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
   const bool opaque = !actor->IsRenderingTranslucentPolygonalGeometry();
   int samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
+  const bool coverage = use == BLEND && opaque && samples > 1;
+  state->Push();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  if (use == IDS || opaque)
   {
-    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDisable(GL_CULL_FACE);
-    if (use == IDS)
-    {
-      state->vtkglDisable(GL_BLEND);
-    }
-    const bool coverage = use == BLEND && opaque && samples > 1;
-    if (coverage)
-    {
-      state->vtkglDisable(GL_BLEND);
-      glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-      glEnable(GL_SAMPLE_ALPHA_TO_ONE);
-    }
-    else if (use == BLEND && opaque)
-    {
-      state->vtkglEnable(GL_BLEND);
-    }
-    quad->Render();
-    if (coverage)
-    {
-      glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-      glDisable(GL_SAMPLE_ALPHA_TO_ONE);
-    }
+    state->SetEnumState(GL_BLEND, use == BLEND && !coverage);
   }
+  if (coverage)
+  {
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+  }
+  quad->Render();
+  if (coverage)
+  {
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glDisable(GL_SAMPLE_ALPHA_TO_ONE);
+  }
+  state->Pop();
   this->Color->Deactivate();
   this->Depth->Deactivate();
 }
@@ -239,19 +223,14 @@ void rtglyphs::RayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObj
   quad->Program->SetUniform2f("depthMap", this->DepthMap);
   quad->Program->SetUniformi("pixels", pixels->GetTextureUnit());
   vtkOpenGLState* state = window->GetState();
-  {
-    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    vtkOpenGLState::ScopedglDepthMask depthMask(state);
-    vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglDisable(GL_BLEND);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglDepthFunc(GL_LEQUAL);
-    quad->Render();
-  }
+  state->Push();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  quad->Render();
+  state->Pop();
   pixels->Deactivate();
   this->Color->Deactivate();
   this->Depth->Deactivate();

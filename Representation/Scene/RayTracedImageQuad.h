@@ -9,6 +9,8 @@
 #define RayTracedImageQuad_h
 
 #include "vtkNew.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkTextureObject.h"
 
 #include <glm/glm.hpp>
 
@@ -19,10 +21,8 @@
 
 class vtkActor;
 class vtkMapper;
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace rtglyphs
@@ -31,9 +31,6 @@ namespace rtglyphs
 class RayTracedImageQuad
 {
 public:
-  RayTracedImageQuad();
-  ~RayTracedImageQuad();
-
   enum Uses
   {
     BLEND, // color, blended by alpha

@@ -14,9 +14,4 @@
 #include "vtk_glew.h"
 #endif
 
-namespace rtglyphs
-{
-
-} // namespace rtglyphs
-
 #endif

@@ -20,23 +20,15 @@ struct IdBuffer
   std::vector<std::uint32_t> Values; // RGBA8; 0: the pixel shows something else
   std::vector<float> Depths;         // window depths
   vtkIdType LargestId = 0;
-
-  /**
-   * `images` show the same view; the nearest surface counts. Where a glyph or triangle has nothing to select the number
-   * is opaque black: it hides what lies behind it.
-   */
-  void Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene, rtg::Scene::SetId set,
-    const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper, vtkHardwareSelector* selector);
 };
 
-// See vtkHardwareSelector for the passes and their order.
-void IdBuffer::Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene, rtg::Scene::SetId set,
+// `images` show the same view; the nearest surface counts. Where a glyph or triangle has nothing to select the number
+// is opaque black: it hides what lies behind it. See vtkHardwareSelector for the passes and their order.
+IdBuffer MakeIds(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene, rtg::Scene::SetId set,
   const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper, vtkHardwareSelector* selector)
 {
   const std::size_t width = images.front()->width, height = images.front()->height;
-  this->Values.assign(width * height, 0);
-  this->Depths.assign(width * height, 1.0f);
-  this->LargestId = 0;
+  IdBuffer buffer{ std::vector<std::uint32_t>(width * height, 0), std::vector<float>(width * height, 1.0f) };
   std::uint32_t propValue = 0;
   for (int c = 0; c < 3; ++c)
   {
@@ -45,7 +37,7 @@ void IdBuffer::Fill(const std::vector<const rtg::Image*>& images, const rtg::Sce
   const int pass = selector->GetCurrentPass();
   const int association = selector->GetFieldAssociation();
   const glm::dmat4 clipToWorld = glm::inverse(worldToClip);
-  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  for (std::size_t i = 0; i < buffer.Values.size(); ++i)
   {
     const rtg::Image* nearest = nullptr;
     for (const rtg::Image* image : images)
@@ -66,7 +58,7 @@ void IdBuffer::Fill(const std::vector<const rtg::Image*>& images, const rtg::Sce
     std::uint32_t value = 0;
     if (origin.Id >= 0)
     {
-      this->LargestId = std::max(this->LargestId, origin.Id);
+      buffer.LargestId = std::max(buffer.LargestId, origin.Id);
       switch (pass)
       {
         case vtkHardwareSelector::ACTOR_PASS:
@@ -92,9 +84,10 @@ void IdBuffer::Fill(const std::vector<const rtg::Image*>& images, const rtg::Sce
           break;
       }
     }
-    this->Values[i] = (value & 0xffffff) | 0xff000000u;
-    this->Depths[i] = nearest->depth[i];
+    buffer.Values[i] = (value & 0xffffff) | 0xff000000u;
+    buffer.Depths[i] = nearest->depth[i];
   }
+  return buffer;
 }
 }
 
@@ -187,9 +180,8 @@ void rtglyphs::RayTracedPicker::DrawIds(const rtglyphs::RayTracedDisplays& displ
     ImagesWithIds(displays, images, renderer, viewport[2], viewport[3], failed);
   if (!found.empty() && images.GetScene())
   {
-    IdBuffer buffer;
-    buffer.Fill(found, *images.GetScene(), display->Set, rtglyphs::RayTracedRendererState::WorldToClip(renderer),
-      mapper, selector);
+    const IdBuffer buffer = MakeIds(found, *images.GetScene(), display->Set,
+      rtglyphs::RayTracedRendererState::WorldToClip(renderer), mapper, selector);
     if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
       selector->UpdateMaximumCellId(buffer.LargestId);

@@ -7,7 +7,6 @@
 #include "vtkInformationKeyLookup.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
@@ -18,17 +17,13 @@
 
 #include "Shading/Shading.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-template <typename Vector>
-Vector ToVector(const double* v)
-{
-  return Vector(v[0], v[1], v[2]);
-}
-
 std::vector<vtkLight*> LightsOn(vtkRenderer* renderer)
 {
   std::vector<vtkLight*> on;
@@ -53,7 +48,7 @@ const vtkLight* BrightestOnCamera(const std::vector<vtkLight*>& lights)
   for (vtkLight* light : lights)
   {
     const double brightness =
-      light->GetIntensity() * rtg::shading::Luminance(ToVector<glm::vec3>(light->GetDiffuseColor()));
+      light->GetIntensity() * rtg::shading::Luminance(glm::vec3(glm::make_vec3(light->GetDiffuseColor())));
     if (light->LightTypeIsCameraLight() && brightness > most)
     {
       brightest = light;
@@ -76,24 +71,16 @@ double RadiusOf(vtkLight* light)
 //----------------------------------------------------------------------------
 glm::dmat4 rtglyphs::RayTracedRendererState::WorldToClip(vtkRenderer* renderer)
 {
-  glm::dmat4 result(1.0);
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   if (!camera)
   {
-    return result;
+    return glm::dmat4(1.0);
   }
   vtkMatrix4x4 *worldToView, *viewToClip, *worldToClip;
   vtkMatrix3x3* normals;
   camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
   // VTK keeps it transposed for OpenGL: its rows are GLM's columns.
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      result[i][j] = worldToClip->GetElement(i, j);
-    }
-  }
-  return result;
+  return glm::make_mat4(worldToClip->GetData());
 }
 
 //----------------------------------------------------------------------------
@@ -112,7 +99,7 @@ rtg::Camera rtglyphs::RayTracedRendererState::CameraOf(vtkRenderer* renderer, co
   rtg::Camera camera = rtg::Camera::FromWorldToClip(worldToClip);
   if (camera.parallel)
   {
-    camera.position = ToVector<glm::dvec3>(renderer->GetActiveCamera()->GetPosition());
+    camera.position = glm::make_vec3(renderer->GetActiveCamera()->GetPosition());
   }
   // As vtkOSPRayCameraNode, and in parallel projection, too, where depths count from another place.
   vtkCamera* view = renderer->GetActiveCamera();
@@ -120,7 +107,7 @@ rtg::Camera rtglyphs::RayTracedRendererState::CameraOf(vtkRenderer* renderer, co
   if (distance > 0.0 && std::isfinite(distance) && std::isfinite(view->GetFocalDisk()))
   {
     camera.lensRadius = std::max(0.5 * view->GetFocalDisk(), 0.0);
-    camera.lensDepth = glm::dot(camera.position - camera.eye, ToVector<glm::dvec3>(view->GetDirectionOfProjection()));
+    camera.lensDepth = glm::dot(camera.position - camera.eye, glm::make_vec3(view->GetDirectionOfProjection()));
     camera.focusDepth = camera.lensDepth + distance;
   }
   return camera;
@@ -143,9 +130,9 @@ rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, double softnes
       continue;
     }
     rtg::Light converted;
-    converted.colour = ToVector<glm::vec3>(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
-    const glm::dvec3 position = ToVector<glm::dvec3>(light->GetTransformedPosition());
-    const glm::dvec3 focus = ToVector<glm::dvec3>(light->GetTransformedFocalPoint());
+    converted.colour = glm::vec3(glm::make_vec3(light->GetDiffuseColor())) * static_cast<float>(light->GetIntensity());
+    const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
+    const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
     converted.position = position;
     if (position != focus)
     {
@@ -160,7 +147,7 @@ rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, double softnes
     else if (light->GetPositional())
     {
       converted.kind = rtg::Light::Kind::Positional;
-      converted.attenuation = ToVector<glm::vec3>(light->GetAttenuationValues());
+      converted.attenuation = glm::vec3(glm::make_vec3(light->GetAttenuationValues()));
       converted.coneAngle = static_cast<float>(light->GetConeAngle());
       converted.exponent = static_cast<float>(light->GetExponent());
       const double seen = glm::length(focus - position) * std::sin(glm::radians(softness));
@@ -195,8 +182,8 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
   {
     return Environment();
   }
-  const auto right = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentRight()));
-  const auto up = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentUp()));
+  const auto right = glm::normalize(glm::vec3(glm::make_vec3(renderer->GetEnvironmentRight())));
+  const auto up = glm::normalize(glm::vec3(glm::make_vec3(renderer->GetEnvironmentUp())));
   Environment environment;
   environment.Input = input;
   environment.Time = input->GetMTime();
@@ -247,9 +234,9 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
 rtg::Material rtglyphs::RayTracedRendererState::MaterialOf(vtkProperty* property, vtkRenderer* renderer)
 {
   rtg::Material material;
-  material.colour = ToVector<glm::vec3>(property->GetDiffuseColor());
-  material.ambientColour = ToVector<glm::vec3>(property->GetAmbientColor());
-  material.specularColour = ToVector<glm::vec3>(property->GetSpecularColor());
+  material.colour = glm::vec3(glm::make_vec3(property->GetDiffuseColor()));
+  material.ambientColour = glm::vec3(glm::make_vec3(property->GetAmbientColor()));
+  material.specularColour = glm::vec3(glm::make_vec3(property->GetSpecularColor()));
   material.ambient = static_cast<float>(property->GetAmbient());
   material.diffuse = static_cast<float>(property->GetDiffuse());
   material.specular = static_cast<float>(property->GetSpecular());
@@ -260,7 +247,7 @@ rtg::Material rtglyphs::RayTracedRendererState::MaterialOf(vtkProperty* property
   material.coatStrength = static_cast<float>(property->GetCoatStrength());
   material.coatRoughness = static_cast<float>(property->GetCoatRoughness());
   material.coatIor = static_cast<float>(property->GetCoatIOR());
-  material.coatColour = ToVector<glm::vec3>(property->GetCoatColor());
+  material.coatColour = glm::vec3(glm::make_vec3(property->GetCoatColor()));
   material.lighting = property->GetLighting() && (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
   return material;
 }

@@ -4,6 +4,7 @@
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace
@@ -21,19 +22,14 @@ constexpr float albedoLimit = 0.8f;
 
 // Degrees of the key light: above the camera and to the left of it, and half of its width.
 constexpr float keyElevation = 45.0f, keyAzimuth = 45.0f, keyRadius = 8.0f;
-
-glm::vec3 ToVector(const double* v)
-{
-  return glm::vec3(v[0], v[1], v[2]);
-}
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedStudioLight::Apply(rtg::ImageView& view, vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  const glm::vec3 forward = glm::normalize(ToVector(camera->GetDirectionOfProjection()));
-  const glm::vec3 right = glm::normalize(glm::cross(forward, ToVector(camera->GetViewUp())));
+  const glm::vec3 forward = glm::normalize(glm::vec3(glm::make_vec3(camera->GetDirectionOfProjection())));
+  const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(glm::make_vec3(camera->GetViewUp()))));
   const glm::vec3 up = glm::cross(right, forward);
   rtg::TraceSettings& settings = view.settings;
   settings.skySlope = slope * up;

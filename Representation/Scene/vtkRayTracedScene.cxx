@@ -21,7 +21,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRenderPass.h"
@@ -177,12 +176,6 @@ void vtkRayTracedScene::SetSettings(const rtglyphs::RayTracedImageSettings& sett
 const rtglyphs::RayTracedImageSettings& vtkRayTracedScene::GetSettings() const
 {
   return this->Self->Settings;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics)
-{
-  this->Self->Displays.SetStatistics(mapper, statistics);
 }
 
 //----------------------------------------------------------------------------
@@ -499,16 +492,15 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
+void vtkRayTracedScene::ForEachShown(
+  const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColours&, const rtg::Material&)>& visit)
 {
-  std::vector<Shown> all;
   std::vector<rtg::GlyphInstances> built;
   const rtglyphs::RayTracedDisplays& displays = this->Self->Displays;
   for (const rtglyphs::RayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Images, built))
   {
-    all.push_back({ *shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material });
+    visit(*shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material);
   }
-  return all;
 }
 
 //----------------------------------------------------------------------------

@@ -21,10 +21,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
-#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace rtg
 {
@@ -36,10 +35,6 @@ class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
 class vtkWindow;
-namespace rtglyphs
-{
-struct RayTracedDataStatistics;
-}
 
 class vtkRayTracedScene : public vtkObject
 {
@@ -64,11 +59,10 @@ public:
 
   ///@{
   /**
-   * The view's settings, in range; and what a representation has done with its data, for GetStatistics().
+   * The view's settings, in range.
    */
   void SetSettings(const rtglyphs::RayTracedImageSettings& settings);
   const rtglyphs::RayTracedImageSettings& GetSettings() const;
-  void SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics);
   ///@}
 
   /**
@@ -113,15 +107,10 @@ public:
   bool PlaceAt(int x, int y, double place[3]);
 
   /**
-   * The representations of the last frame, for exporters.
+   * Visits the representations of the last frame, for exporters.
    */
-  struct Shown
-  {
-    rtg::GlyphInstances Instances;
-    rtg::GlyphColours Colors;
-    rtg::Material Material;
-  };
-  std::vector<Shown> CopyShown();
+  void ForEachShown(
+    const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColours&, const rtg::Material&)>& visit);
 
   /**
    * Warns, once after each frame, that exporters leave ray-traced displays out.

@@ -2,8 +2,6 @@
 
 #include "GlyphKeptGuess.h"
 #include "RayTracedDomains.h"
-#include "vtkClientServerInterpreter.h"
-#include "vtkClientServerInterpreterInitializer.h"
 #include "vtkCommand.h"
 #include "vtkSMBoundsDomain.h"
 #include "vtkSMDomain.h"
@@ -64,12 +62,7 @@ bool Prefers(vtkSMDomain* domain, vtkSMProperty* property)
   return xmlDefault && list->IsInDomain(xmlDefault, index);
 }
 
-enum class Where
-{
-  Everywhere,
-  Lost,   // arrays that are in no list of arrays any more, and what Missing names
-  Missing // None, and what stands in the XML, where the data had nothing to choose
-};
+using rtglyphs::RayTracedDefault::Where;
 
 struct Default
 {
@@ -78,14 +71,6 @@ struct Default
   // Chooses anew where ParaView has chosen. Returns whether that is another value.
   virtual bool Renew(Where where) = 0;
 };
-
-template <class T>
-vtkObjectBase* New(void*)
-{
-  auto* made = new T;
-  made->InitializeObjectBase();
-  return made;
-}
 
 // Base: vtkSMStringVectorProperty, ... State files do not have defaults of displays that show nothing ray traced.
 template <class Base>
@@ -217,15 +202,13 @@ void rtglyphs::RayTracedDefault::Register()
 {
   static const bool known = []
   {
-    vtkClientServerInterpreter* interpreter = vtkClientServerInterpreterInitializer::GetGlobalInterpreter();
-    const auto add = [interpreter](const char* name, vtkClientServerNewInstanceFunction make)
-    { interpreter->AddNewInstanceFunction(name, make); };
-    add("vtkSMRayTracedStringVectorProperty", &New<Property<vtkSMStringVectorProperty>>);
-    add("vtkSMRayTracedDoubleVectorProperty", &New<Property<vtkSMDoubleVectorProperty>>);
-    add("vtkSMRayTracedIntVectorProperty", &New<Property<vtkSMIntVectorProperty>>);
-    add("vtkSMRayTracedPlainStringVectorProperty", &New<Plain<vtkSMStringVectorProperty>>);
-    add("vtkSMRayTracedPlainDoubleVectorProperty", &New<Plain<vtkSMDoubleVectorProperty>>);
-    add("vtkSMRayTracedPlainIntVectorProperty", &New<Plain<vtkSMIntVectorProperty>>);
+    using rtglyphs::RayTracedDomains::Register;
+    Register<Property<vtkSMStringVectorProperty>>("vtkSMRayTracedStringVectorProperty");
+    Register<Property<vtkSMDoubleVectorProperty>>("vtkSMRayTracedDoubleVectorProperty");
+    Register<Property<vtkSMIntVectorProperty>>("vtkSMRayTracedIntVectorProperty");
+    Register<Plain<vtkSMStringVectorProperty>>("vtkSMRayTracedPlainStringVectorProperty");
+    Register<Plain<vtkSMDoubleVectorProperty>>("vtkSMRayTracedPlainDoubleVectorProperty");
+    Register<Plain<vtkSMIntVectorProperty>>("vtkSMRayTracedPlainIntVectorProperty");
     rtglyphs::RayTracedDomains::Register();
     return true;
   }();

@@ -23,6 +23,16 @@ namespace rtglyphs::RayTracedDefault
 void Register();
 
 /**
+ * Which of the values that ParaView, or the plugin, has chosen are chosen anew.
+ */
+enum class Where
+{
+  Everywhere,
+  Lost,   // arrays that are in no list of arrays any more, and what Missing names
+  Missing // None, and what stands in the XML, where the data had nothing to choose
+};
+
+/**
  * Whether the domains of a property would choose its present value.
  */
 bool IsOfDomains(vtkSMProperty* property);
@@ -41,4 +51,3 @@ bool Renew(vtkSMProxy* display, bool otherTime);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedDefault.h

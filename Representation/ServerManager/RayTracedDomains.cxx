@@ -3,8 +3,6 @@
 #include "DataSummary.h"
 #include "Finite.h"
 #include "GlyphArrayRoles.h"
-#include "vtkClientServerInterpreter.h"
-#include "vtkClientServerInterpreterInitializer.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
@@ -188,22 +186,13 @@ private:
 
   double Suggested = 0.0; // 0: nothing
 };
-
-template <class T>
-vtkObjectBase* NewDomain(void*)
-{
-  auto* made = new T;
-  made->InitializeObjectBase();
-  return made;
-}
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedDomains::Register()
 {
-  vtkClientServerInterpreter* interpreter = vtkClientServerInterpreterInitializer::GetGlobalInterpreter();
-  interpreter->AddNewInstanceFunction("vtkSMRayTracedArrayDomain", &NewDomain<ArrayDomain>);
-  interpreter->AddNewInstanceFunction("vtkSMRayTracedLocationDomain", &NewDomain<LocationDomain>);
-  interpreter->AddNewInstanceFunction("vtkSMRayTracedRadiusDomain", &NewDomain<RadiusDomain>);
-  interpreter->AddNewInstanceFunction("vtkSMRayTracedScaleDomain", &NewDomain<ScaleDomain>);
+  Register<ArrayDomain>("vtkSMRayTracedArrayDomain");
+  Register<LocationDomain>("vtkSMRayTracedLocationDomain");
+  Register<RadiusDomain>("vtkSMRayTracedRadiusDomain");
+  Register<ScaleDomain>("vtkSMRayTracedScaleDomain");
 }

@@ -4,13 +4,30 @@
 #ifndef RayTracedDomains_h
 #define RayTracedDomains_h
 
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
+
 namespace rtglyphs::RayTracedDomains
 {
 /**
- * Makes them known to the server manager, once.
+ * Makes a class known to the server manager by that name.
+ */
+template <class T>
+void Register(const char* name)
+{
+  vtkClientServerInterpreterInitializer::GetGlobalInterpreter()->AddNewInstanceFunction(name,
+    [](void*) -> vtkObjectBase*
+    {
+      auto* made = new T;
+      made->InitializeObjectBase();
+      return made;
+    });
+}
+
+/**
+ * Makes the domains known, once.
  */
 void Register();
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedDomains.h

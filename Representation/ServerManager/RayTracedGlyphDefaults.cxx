@@ -4,7 +4,6 @@
 #include "DirectionColors.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
-#include "RayTracedDefault.h"
 #include "RayTracedPeriodic.h"
 #include "RayTracedSuggestion.h"
 #include "vtkCommand.h"

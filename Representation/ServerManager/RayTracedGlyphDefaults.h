@@ -7,6 +7,7 @@
 #define RayTracedGlyphDefaults_h
 
 #include "RayTracedColoring.h"
+#include "RayTracedDefault.h"
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 
 #include <set>
@@ -67,12 +68,7 @@ public:
   static void ShowInPanel(vtkSMProxy* display);
 
 private:
-  enum class Where
-  {
-    Everywhere,
-    Lost,   // arrays that the glyphs' location does not have, and what Missing names
-    Missing // None
-  };
+  using Where = RayTracedDefault::Where;
 
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
   void ChooseArray(vtkSMProxy* glyphs, const char* name);
@@ -89,4 +85,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedGlyphDefaults.h

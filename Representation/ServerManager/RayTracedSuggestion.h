@@ -28,4 +28,3 @@ bool IsTaking();
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedSuggestion.h

@@ -6,7 +6,6 @@
 #include "RayTracedGlyphDefaults.h"
 #include "vtkNew.h"
 #include "vtkRayTracedRepresentation.h"
-#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"
@@ -25,9 +24,9 @@ std::string NumberOf(vtkSMProxy* glyphs)
   auto* local = vtkRayTracedRepresentation::SafeDownCast(glyphs->GetClientSideObject());
   const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
   const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
-  const bool tensor = Shapes::IsTensor(shape) || shape == Shapes::PRINCIPAL_AXES;
-  const bool number = Shapes::IsPolynomial(shape) ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
-                                                  : tensor && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
+  const bool number = Shapes::IsPolynomial(shape)
+    ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
+    : Shapes::IsColored(shape) && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
   const char* array =
     vtkSMPropertyHelper(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray")
       .GetAsString();
@@ -78,7 +77,8 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
     this->Range[0] = found[0];
     this->Range[1] = found[1];
   }
-  if (!this->IsChosen && vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").GetAsProxy() != table)
+  vtkSMProxy* set = vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").GetAsProxy();
+  if (set != table && !(set && this->IsChosen))
   {
     vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").Set(table);
     glyphs->UpdateVTKObjects();

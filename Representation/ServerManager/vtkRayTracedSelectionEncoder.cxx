@@ -63,12 +63,6 @@ bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedSelectionEncoder::vtkRayTracedSelectionEncoder() = default;
-
-//----------------------------------------------------------------------------
-vtkRayTracedSelectionEncoder::~vtkRayTracedSelectionEncoder() = default;
-
-//----------------------------------------------------------------------------
 void vtkRayTracedSelectionEncoder::Register()
 {
   static bool registered = false;

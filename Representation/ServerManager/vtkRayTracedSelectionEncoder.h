@@ -27,13 +27,8 @@ public:
     vtkCollection* selectedRepresentations, vtkCollection* selectionSources, int modifier, bool selectBlocks) override;
 
 protected:
-  vtkRayTracedSelectionEncoder();
-  ~vtkRayTracedSelectionEncoder() override;
-
-private:
-  vtkRayTracedSelectionEncoder(const vtkRayTracedSelectionEncoder&) = delete;
-  void operator=(const vtkRayTracedSelectionEncoder&) = delete;
+  vtkRayTracedSelectionEncoder() = default;
+  ~vtkRayTracedSelectionEncoder() override = default;
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkRayTracedSelectionEncoder.h

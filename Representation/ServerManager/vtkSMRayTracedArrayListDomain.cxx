@@ -135,19 +135,6 @@ bool AreArrows(vtkSMProxy* glyphs)
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedArrayListDomain::vtkSMRayTracedArrayListDomain() = default;
-
-//----------------------------------------------------------------------------
-vtkSMRayTracedArrayListDomain::~vtkSMRayTracedArrayListDomain() = default;
-
-//----------------------------------------------------------------------------
-void vtkSMRayTracedArrayListDomain::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ChoiceOfArray: " << this->ChoiceOfArray << endl;
-}
-
-//----------------------------------------------------------------------------
 int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
   this->ChoiceOfArray = element->GetAttributeOrEmpty("choice");

@@ -29,7 +29,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedArrayListDomain : public vtkSMArra
 public:
   static vtkSMRayTracedArrayListDomain* New();
   vtkTypeMacro(vtkSMRayTracedArrayListDomain, vtkSMArrayListDomain);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
 
@@ -60,8 +59,8 @@ public:
 #endif
 
 protected:
-  vtkSMRayTracedArrayListDomain();
-  ~vtkSMRayTracedArrayListDomain() override;
+  vtkSMRayTracedArrayListDomain() = default;
+  ~vtkSMRayTracedArrayListDomain() override = default;
 
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
@@ -71,9 +70,6 @@ protected:
   vtkPVDataInformation* GetExtraDataInformation() override;
 
 private:
-  vtkSMRayTracedArrayListDomain(const vtkSMRayTracedArrayListDomain&) = delete;
-  void operator=(const vtkSMRayTracedArrayListDomain&) = delete;
-
 #ifndef __VTK_WRAP__
   std::vector<Array> InputArrays();
   std::vector<Array> Joined(const std::vector<Array>& arrays);

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <string>
 
 vtkStandardNewMacro(vtkSMRayTracedPickingHelperProxy);
 
@@ -54,9 +53,6 @@ vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
 {
   rtglyphs::RayTracedDefault::Register(); // of the kinds of its properties
 }
-
-//----------------------------------------------------------------------------
-vtkSMRayTracedPickingHelperProxy::~vtkSMRayTracedPickingHelperProxy() = default;
 
 //----------------------------------------------------------------------------
 void vtkSMRayTracedPickingHelperProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)

@@ -21,14 +21,11 @@ public:
 
 protected:
   vtkSMRayTracedPickingHelperProxy();
-  ~vtkSMRayTracedPickingHelperProxy() override;
+  ~vtkSMRayTracedPickingHelperProxy() override = default;
 
   void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
 
 private:
-  vtkSMRayTracedPickingHelperProxy(const vtkSMRayTracedPickingHelperProxy&) = delete;
-  void operator=(const vtkSMRayTracedPickingHelperProxy&) = delete;
-
   bool FindPlace(double place[3]);
 };
 

@@ -27,9 +27,6 @@ vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedRepresentationProxy::~vtkSMRayTracedRepresentationProxy() = default;
-
-//----------------------------------------------------------------------------
 // Of a display's representations at most one is visible.
 bool vtkSMRayTracedRepresentationProxy::IsShown()
 {

@@ -41,16 +41,13 @@ public:
 
 protected:
   vtkSMRayTracedRepresentationProxy();
-  ~vtkSMRayTracedRepresentationProxy() override;
+  ~vtkSMRayTracedRepresentationProxy() override = default;
 
   void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
   void SetPropertyModifiedFlag(const char* name, int flag) override;
   void AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer) override;
 
 private:
-  vtkSMRayTracedRepresentationProxy(const vtkSMRayTracedRepresentationProxy&) = delete;
-  void operator=(const vtkSMRayTracedRepresentationProxy&) = delete;
-
   bool IsShown();
   void TakeSelection();
   void ChooseDefaults();

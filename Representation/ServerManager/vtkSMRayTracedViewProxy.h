@@ -89,9 +89,6 @@ protected:
   void SetPropertyModifiedFlag(const char* name, int flag) override;
 
 private:
-  vtkSMRayTracedViewProxy(const vtkSMRayTracedViewProxy&) = delete;
-  void operator=(const vtkSMRayTracedViewProxy&) = delete;
-
   bool IsRenderedRemotely();
   std::string Ask(const vtkClientServerStream& question, bool ofAllRanks); // empty: no answer
   std::vector<std::pair<std::string, int>> MeantBy(int quality);

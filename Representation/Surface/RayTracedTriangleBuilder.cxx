@@ -25,19 +25,19 @@ glm::dvec3 PointOf(vtkDataArray* array, vtkIdType i)
 // The middle of the data, from which the positions lose the least when they become float.
 glm::dvec3 Middle(vtkDataArray* points, const rtglyphs::GlyphPlacement& placement)
 {
-  const rtglyphs::RayTracedParallel::Box box = rtglyphs::RayTracedParallel::BoxOf(points->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end, rtglyphs::RayTracedParallel::Box& own)
+  const rtg::DoubleBox box = rtglyphs::RayTracedParallel::BoxOf(points->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end, rtg::DoubleBox& own)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const glm::dvec3 x = placement(PointOf(points, i));
         if (rtg::IsFinite(x))
         {
-          own.Add(x, x);
+          own.Include({ x, x });
         }
       }
     });
-  return box.IsEmpty() ? glm::dvec3(0.0) : box.Center();
+  return box.Empty() ? glm::dvec3(0.0) : 0.5 * (box.lower + box.upper);
 }
 
 // Normals transform with the inverse transpose, here times the determinant. What is no direction becomes zero, for
@@ -47,17 +47,14 @@ std::vector<glm::vec3> Turn(vtkDataArray* array, const rtglyphs::GlyphPlacement&
   const glm::dmat3& m = placement.Linear;
   const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   std::vector<glm::vec3> normals(array->GetNumberOfTuples(), glm::vec3(0.0f));
-  rtglyphs::RayTracedParallel::ForChunks(array->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(array->GetNumberOfTuples(),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      const glm::dvec3 normal = cofactors * PointOf(array, i);
+      const double length = glm::length(normal);
+      if (rtg::IsPositive(length))
       {
-        const glm::dvec3 normal = cofactors * PointOf(array, i);
-        const double length = glm::length(normal);
-        if (rtg::IsPositive(length))
-        {
-          normals[i] = normal / length;
-        }
+        normals[i] = normal / length;
       }
     });
   return normals;
@@ -98,19 +95,16 @@ void AddTriangles(vtkPolyData* polygons, const rtglyphs::RayTracedRanges& hidden
 void AddMotion(const rtglyphs::GlyphMotion& motion, const rtglyphs::GlyphPlacement& placement, rtg::TriangleMesh& mesh)
 {
   motion.Allocate(mesh.motion, mesh.positions.size());
-  rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.positions.size()),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      if (motion.IsFinite(i))
       {
-        if (motion.IsFinite(i))
-        {
-          motion.Store(mesh.motion, i, i, placement.Linear, glm::dmat3(1.0));
-        }
-        else
-        {
-          mesh.positions[i] = glm::vec3(NAN); // of no triangle, and so without motion
-        }
+        motion.Store(mesh.motion, i, i, placement.Linear, glm::dmat3(1.0));
+      }
+      else
+      {
+        mesh.positions[i] = glm::vec3(NAN); // of no triangle, and so without motion
       }
     });
   motion.Finish(mesh.motion);
@@ -131,14 +125,8 @@ rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons, const rt
     result.Origin = Middle(points, placement);
   }
   mesh.positions.resize(points->GetNumberOfTuples());
-  rtglyphs::RayTracedParallel::ForChunks(points->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        mesh.positions[i] = placement(PointOf(points, i)) - result.Origin;
-      }
-    });
+  rtglyphs::RayTracedParallel::ForEach(points->GetNumberOfTuples(),
+    [&](vtkIdType i) { mesh.positions[i] = placement(PointOf(points, i)) - result.Origin; });
   if (motion && motion->On())
   {
     AddMotion(*motion, placement, mesh);

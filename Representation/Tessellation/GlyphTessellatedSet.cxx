@@ -1,8 +1,10 @@
 #include "GlyphTessellatedSet.h"
 
 #include "GlyphTessellation.h"
+#include "Shading/Shading.h"
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/packing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,15 +14,10 @@
 
 namespace
 {
-// Linear light of a display color, as the formats have it (IEC 61966-2-1).
-float Linear(float shown)
-{
-  return shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
-}
-
+// Linear light of a display color, as the formats have it.
 glm::vec4 Linear(const glm::vec3& shown, float opacity)
 {
-  return { Linear(shown.x), Linear(shown.y), Linear(shown.z), opacity };
+  return { rtg::shading::DisplayToLinear(shown), opacity };
 }
 
 std::string NameOf(rtg::Shape shape)
@@ -37,12 +34,6 @@ std::string NameOf(rtg::Shape shape)
   }
 }
 
-// Display color: red, green, blue and opacity.
-glm::vec4 Unpacked(std::uint32_t packed)
-{
-  return glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
-}
-
 // The mean of the colors at a tube's ends.
 glm::vec4 MeanOfEnds(const rtg::GlyphColours& colors, std::size_t glyph)
 {
@@ -50,14 +41,14 @@ glm::vec4 MeanOfEnds(const rtg::GlyphColours& colors, std::size_t glyph)
   {
     if (colors.table.empty())
     {
-      return Unpacked(bits);
+      return glm::unpackUnorm4x8(bits);
     }
     const auto values = static_cast<float>(colors.table.size() - 2);
     const float value = glm::uintBitsToFloat(bits);
     const std::size_t entry = value <= rtg::noValue ? colors.table.size() - 1
       : value <= rtg::notANumber                    ? colors.table.size() - 2
                                  : static_cast<std::size_t>(std::clamp(value * values, 0.0f, values - 1.0f));
-    return Unpacked(colors.table[entry]);
+    return glm::unpackUnorm4x8(colors.table[entry]);
   };
   return 0.5f * (at(colors.ends[glyph].x) + at(colors.ends[glyph].y));
 }
@@ -129,7 +120,7 @@ public:
   // A cylinder, and half balls that are as long as its larger diameter is wide: Kernels/Shapes/Capsule.glsl.
   void AddCapsules()
   {
-    const std::size_t middle = this->AddMesh("Middle", rtglyphs::GlyphTessellation::Shaft(true));
+    const std::size_t middle = this->AddMesh("Middle", rtglyphs::GlyphTessellation::CutCone(1.0, true));
     const std::size_t end = this->AddMesh("End", rtglyphs::GlyphTessellation::HalfBall());
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
@@ -148,7 +139,7 @@ public:
   {
     const rtg::ArrowForm& form = this->All.arrow;
     const bool hasHeads = form.tipRadius > 0.0f, hasShafts = form.shaftRadius > 0.0f;
-    const std::size_t shaft = hasShafts ? this->AddMesh("Shaft", rtglyphs::GlyphTessellation::Shaft(false)) : 0;
+    const std::size_t shaft = hasShafts ? this->AddMesh("Shaft", rtglyphs::GlyphTessellation::CutCone(1.0, false)) : 0;
     const std::size_t head = hasHeads ? this->AddMesh("Head", rtglyphs::GlyphTessellation::ArrowHead(form)) : 0;
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
@@ -310,7 +301,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       const glm::vec4 ofSurface = color;
       if (!colors.each.empty() || ofEnds)
       {
-        const glm::vec4 shown = ofEnds ? MeanOfEnds(colors, glyph) : Unpacked(colors.each[glyph]);
+        const glm::vec4 shown = ofEnds ? MeanOfEnds(colors, glyph) : glm::unpackUnorm4x8(colors.each[glyph]);
         // White stands for the colors of the surface (rtg::GlyphColours).
         color = bySign && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
         color.a *= shown.a;

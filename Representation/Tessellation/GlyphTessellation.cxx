@@ -93,7 +93,8 @@ void AddBallPart(rtg::TriangleMesh& mesh, double center, double radius, double l
     const auto at = [&](int step)
     {
       const double angle = highest + (lowest - highest) * step / steps;
-      return glm::dvec2(std::cos(angle), step == steps && lowest == 0.0 ? 0.0 : std::sin(angle));
+      const bool pole = (step == 0 && highest == pi) || (step == steps && lowest == 0.0);
+      return glm::dvec2(std::cos(angle), pole ? 0.0 : std::sin(angle));
     };
     const glm::dvec2 from = at(k), to = at(k + 1);
     AddRevolution(mesh, { glm::dvec2(center, 0.0) + radius * from, glm::dvec2(center, 0.0) + radius * to, from, to });
@@ -138,19 +139,7 @@ rtg::TriangleMesh ClosedSurface(int facets, const std::function<Corner(const glm
 rtg::TriangleMesh rtglyphs::GlyphTessellation::Sphere()
 {
   rtg::TriangleMesh mesh;
-  AddBallPart(mesh, 0.0, 0.5, 0.0, 0.5 * pi);
-  const std::size_t half = mesh.positions.size(), triangles = mesh.triangles.size();
-  // The other half is the first one turned about y.
-  for (std::size_t k = 0; k < half; ++k)
-  {
-    const glm::vec3 turned(-1.0f, 1.0f, -1.0f);
-    mesh.positions.push_back(turned * mesh.positions[k]);
-    mesh.normals.push_back(turned * mesh.normals[k]);
-  }
-  for (std::size_t k = 0; k < triangles; ++k)
-  {
-    mesh.triangles.push_back(mesh.triangles[k] + static_cast<std::uint32_t>(half));
-  }
+  AddBallPart(mesh, 0.0, 0.5, 0.0, pi);
   return mesh;
 }
 
@@ -200,15 +189,9 @@ rtg::TriangleMesh rtglyphs::GlyphTessellation::CutCone(double ratio, bool open)
 }
 
 //----------------------------------------------------------------------------
-rtg::TriangleMesh rtglyphs::GlyphTessellation::Shaft(bool open)
-{
-  return CutCone(1.0, open);
-}
-
-//----------------------------------------------------------------------------
 rtg::TriangleMesh rtglyphs::GlyphTessellation::Cylinder()
 {
-  rtg::TriangleMesh mesh = Shaft(false);
+  rtg::TriangleMesh mesh = CutCone(1.0, false);
   // From the x axis to the y axis, centered.
   for (glm::vec3& p : mesh.positions)
   {

@@ -22,11 +22,8 @@ rtg::TriangleMesh Cone();
 /// Half a ball of diameter 1 around the origin, its disc, which is left open, at x = 0, towards +x.
 rtg::TriangleMesh HalfBall();
 
-/// A cone around the x axis of radius 1 at 0 and `ratio` at 1; `open`: without its discs.
+/// A cone around the x axis of radius 1 at 0 and `ratio` at 1, of ratio 1 a cylinder; `open`: without its discs.
 rtg::TriangleMesh CutCone(double ratio, bool open);
-
-/// The same of ratio 1: a cylinder.
-rtg::TriangleMesh Shaft(bool open);
 
 /// The head of a unit arrow, with its tip at the origin, towards +x.
 rtg::TriangleMesh ArrowHead(const rtg::ArrowForm& form);

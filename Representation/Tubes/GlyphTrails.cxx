@@ -13,7 +13,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace

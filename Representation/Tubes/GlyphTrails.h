@@ -44,4 +44,3 @@ public:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphTrails.h

@@ -75,8 +75,8 @@ private:
   {
     const vtkIdType count = this->Positions->GetNumberOfTuples();
     this->Places.resize(count);
-    const rtglyphs::RayTracedParallel::Box box = rtglyphs::RayTracedParallel::BoxOf(count,
-      [&](vtkIdType begin, vtkIdType end, rtglyphs::RayTracedParallel::Box& own)
+    const rtg::DoubleBox box = rtglyphs::RayTracedParallel::BoxOf(count,
+      [&](vtkIdType begin, vtkIdType end, rtg::DoubleBox& own)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
@@ -84,13 +84,13 @@ private:
             this->Positions->GetComponent(i, 2) });
           if (rtg::IsFiniteInFloat(this->Places[i]))
           {
-            own.Add(this->Places[i], this->Places[i]);
+            own.Include({ this->Places[i], this->Places[i] });
           }
         }
       });
-    const glm::dvec3 middle = box.IsEmpty() ? glm::dvec3(0.0) : box.Center();
+    const glm::dvec3 middle = box.Empty() ? glm::dvec3(0.0) : 0.5 * (box.lower + box.upper);
     this->Out.Instances.origin = middle;
-    this->Extent = box.IsEmpty() ? 0.0 : glm::length(box.Upper - middle);
+    this->Extent = box.Empty() ? 0.0 : glm::length(box.upper - middle);
     rtglyphs::RayTracedParallel::ForChunks(count,
       [&](vtkIdType begin, vtkIdType end)
       {

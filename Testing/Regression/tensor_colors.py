@@ -186,6 +186,21 @@ def check_opacities(checks, stage):
     table.EnableOpacityMapping = 0
 
 
+def check_covariances(checks, stage):
+    """Confidence ellipsoids have a table and a bar, too, and the number's table comes back where none is set."""
+    view, shown = scene(stage)
+    shown.GlyphShape, shown.GlyphTensorColoring = "Confidence Ellipsoid", "Trace"
+    pv.Render(view)
+    table = table_of(shown)
+    checks.true("covariances: the table is not the session's of 'stress Trace'", table is not None and table == pv.GetColorTransferFunction("stress Trace"))
+    checks.equal("covariances: visible scalar bars", len(bars(view, table)), 1)
+    shown.GlyphTensorLookupTable = None
+    pv.Render(view)
+    checks.true("None: the number has no table", table_of(shown) == table)
+    shown.GlyphShape, shown.GlyphTensorColoring = "Tensor Ellipsoid", "None"
+    pv.Render(view)
+
+
 def main():
     """All numbers, after arrays of a tiny and of a large range have colored the glyphs."""
     session.load()
@@ -195,6 +210,7 @@ def main():
     for others in (numpy.zeros((0, 3)), numpy.array([[0.1, 0.0, -2.0]])):
         check_eigenvalues(checks, stage, others)
     check_opacities(checks, stage)
+    check_covariances(checks, stage)
     # The first number colors a new display.
     stage.close()
     for coloring in VALUES:
