@@ -34,6 +34,7 @@ void main()
         float depth = hit.t + layers.ray.start;
         if (layers.count == 1u)
         {
+          MeetsOpaque(pixel, depth, hit.record);
           Identify(pixel, s, depth, hit.record, hit.glyph);
           AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
         }

@@ -284,14 +284,18 @@ void main()
     bool onward = hit.t >= 0.0;
     if (camera)
     {
-      if (translucency && onward && frame.cullMask == TRANSLUCENT_MASK && SetRecord(hit.record).translucent == 0u)
+      float depth = hit.t + ray.start;
+      if (onward && MeetsOpaque(pixel, depth, hit.record))
       {
-        onward = false;
+        // At its edge before a translucent surface the image of opaque ones shows the background, too.
+        onward = depth < pixel.depth && pixel.depth < 1e38;
+      }
+      else if (onward)
+      {
+        Identify(pixel, s, depth, hit.record, hit.glyph);
       }
       if (onward)
       {
-        float depth = hit.t + ray.start;
-        Identify(pixel, s, depth, hit.record, hit.glyph);
         AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
