@@ -23,17 +23,17 @@ Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
   return layers;
 }
 
-// Traces on to the next layer. An opaque one is the last.
+// Traces on to the next layer.
 Query LayerQuery(const Layers layers)
 {
   return Query(layers.ray, layers.tMin, frame.farDepth - layers.ray.start,
     layered ? frame.cullMask | OPAQUE_MASK : frame.cullMask, 0u, false);
 }
 
-// Whether the answer is a layer that is shown.
+// Whether the answer is one more layer. Behind translucent ones an opaque surface is none.
 bool NextLayer(inout Layers layers, const SurfaceHit hit)
 {
-  if (hit.t < 0.0)
+  if (hit.t < 0.0 || (layered && layers.count > 0u && SetRecord(hit.record).translucent == 0u))
   {
     return false;
   }

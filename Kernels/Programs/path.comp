@@ -284,19 +284,9 @@ void main()
     bool onward = hit.t >= 0.0;
     if (camera)
     {
-      float depth = hit.t + ray.start;
-      if (onward && MeetsOpaque(pixel, depth, hit.record))
-      {
-        // At its edge before a translucent surface the image of opaque ones shows the background, too.
-        onward = depth < pixel.depth && pixel.depth < 1e38;
-      }
-      else if (onward)
-      {
-        Identify(pixel, s, depth, hit.record, hit.glyph);
-      }
+      onward = onward && ShowsFirst(pixel, position, s, hit.t + ray.start, hit);
       if (onward)
       {
-        AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
       onGround = ground && hit.t < 0.0 && MeetGround(ray, hit);
