@@ -28,10 +28,15 @@ void main()
     do
     {
       SurfaceHit hit = Trace(LayerQuery(layers), layered);
-      float depth = hit.t + layers.ray.start;
-      more = NextLayer(layers, hit) && (layers.count > 1u || ShowsFirst(pixel, position, s, depth, hit));
+      more = NextLayer(layers, pixel, hit);
       if (more)
       {
+        float depth = hit.t + layers.ray.start;
+        if (layers.count == 1u)
+        {
+          Identify(pixel, s, depth, hit.record, hit.glyph);
+          AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
+        }
         float weight = WeightOfLayer(layers, hit);
         AddToPixel(pixel, weight * ShadeLocal(hit, origin.hi + depth * direction, direction, AmbientOf(hit)), weight);
         more = MoreLayers(layers);

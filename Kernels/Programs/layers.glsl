@@ -30,10 +30,14 @@ Query LayerQuery(const Layers layers)
     layered ? frame.cullMask | OPAQUE_MASK : frame.cullMask, 0u, false);
 }
 
-// Whether the answer is one more layer. Behind translucent ones an opaque surface is none.
-bool NextLayer(inout Layers layers, const SurfaceHit hit)
+// Whether the answer is a layer that is shown. Behind translucent ones an opaque surface is none.
+bool NextLayer(inout Layers layers, inout Pixel pixel, const SurfaceHit hit)
 {
-  if (hit.t < 0.0 || (layered && layers.count > 0u && SetRecord(hit.record).translucent == 0u))
+  if (hit.t < 0.0)
+  {
+    return false;
+  }
+  if (layered && IsInOtherImage(hit.record) && (layers.count > 0u || !ShowsToo(pixel, hit.t + layers.ray.start)))
   {
     return false;
   }

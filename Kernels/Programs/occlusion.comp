@@ -160,11 +160,16 @@ void main()
         colour += reflected * (arrived / float(rays));
       }
     }
-    else if (NextLayer(layers, found) &&
-      (layers.count > 1u || ShowsFirst(pixel, position, s, found.t + layers.ray.start, found)))
+    else if (NextLayer(layers, pixel, found))
     {
       hit = found;
       vec3 direction = layers.ray.direction;
+      float depth = hit.t + layers.ray.start;
+      if (layers.count == 1u)
+      {
+        Identify(pixel, s, depth, hit.record, hit.glyph);
+        AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
+      }
       ambient = sky ? vec3(0.0) : AmbientOf(hit);
       colour = sky ? EmissionOfHit(hit) : vec3(0.0);
       weight = WeightOfLayer(layers, hit);

@@ -284,9 +284,15 @@ void main()
     bool onward = hit.t >= 0.0;
     if (camera)
     {
-      onward = onward && ShowsFirst(pixel, position, s, hit.t + ray.start, hit);
+      if (translucency && onward && IsInOtherImage(hit.record))
+      {
+        onward = ShowsToo(pixel, hit.t + ray.start);
+      }
       if (onward)
       {
+        float depth = hit.t + ray.start;
+        Identify(pixel, s, depth, hit.record, hit.glyph);
+        AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
       onGround = ground && hit.t < 0.0 && MeetGround(ray, hit);

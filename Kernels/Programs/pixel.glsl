@@ -107,41 +107,50 @@ void AddToPixel(inout Pixel pixel, const vec3 colour, const float opacity)
   pixel.colour.lo = mix(sum.lo, vec3(0.0), isinf(plain));
 }
 
-// Whether the image shows what a sample's camera ray hits first, whose depth, identity and features are then kept. An
-// image of translucent surfaces leaves opaque ones to an image of their own. But where a translucent one lies behind
-// them in the same pixel, at their edge, that image shows the background, too: there this one has both, no farther than
-// the nearest of them.
-bool ShowsFirst(inout Pixel pixel, const uvec2 position, const uint index, const float viewDepth, const SurfaceHit hit)
+// Whether it is an opaque surface in an image of translucent ones: there is an image of opaque ones besides.
+bool IsInOtherImage(const uint record)
 {
-  bool opaque =
-    (layered || translucency) && frame.cullMask == TRANSLUCENT_MASK && SetRecord(hit.record).translucent == 0u;
-  bool shows = !opaque || (viewDepth < pixel.depth && pixel.depth < 1e38);
-  if (opaque)
-  {
-    pixel.opaqueDepth = min(pixel.opaqueDepth, viewDepth);
-  }
-  else if (index == 0u || (!pixel.centreHit && viewDepth < pixel.depth))
+  return (layered || translucency) && frame.cullMask == TRANSLUCENT_MASK && SetRecord(record).translucent == 0u;
+}
+
+// Whether this image shows such a surface, which a camera ray hits first, nevertheless. Where a translucent one lies
+// behind it in the same pixel, at its edge, the other image shows the background: there this one has both, and is no
+// farther than the nearest of them.
+bool ShowsToo(inout Pixel pixel, const float viewDepth)
+{
+  pixel.opaqueDepth = min(pixel.opaqueDepth, viewDepth);
+  return viewDepth < pixel.depth && pixel.depth < 1e38;
+}
+
+// Depth and identity of a sample whose camera ray has just hit.
+void Identify(inout Pixel pixel, const uint index, const float viewDepth, const uint record, const uint glyph)
+{
+  if ((index == 0u || (!pixel.centreHit && viewDepth < pixel.depth)) && !IsInOtherImage(record))
   {
     pixel.centreHit = index == 0u;
     pixel.depth = viewDepth;
-    pixel.record = hit.record;
-    pixel.glyph = hit.glyph;
+    pixel.record = record;
+    pixel.glyph = glyph;
   }
-  if (gathersFeatures && shows)
-  {
-    // For denoising and scripts.
-    uint at = position.y * frame.width + position.x;
-    frame.features.at[at].normal += hit.shadingNormal;
-    frame.features.at[at].albedo += hit.colour.rgb;
-    frame.features.at[at].depth += viewDepth;
-    frame.features.at[at].hits += 1.0;
-  }
-  return shows;
 }
 
 float WindowDepth(const float viewDepth)
 {
   return frame.depthA + (frame.parallel != 0u ? frame.depthB * viewDepth : frame.depthB / viewDepth);
+}
+
+// Adds what the sample's camera ray hit to the sums for denoising and scripts.
+void AddFeatures(const uvec2 position, const uint index, const vec3 normal, const vec3 albedo, const float viewDepth)
+{
+  if (!gathersFeatures)
+  {
+    return;
+  }
+  uint at = position.y * frame.width + position.x;
+  frame.features.at[at].normal += normal;
+  frame.features.at[at].albedo += albedo;
+  frame.features.at[at].depth += viewDepth;
+  frame.features.at[at].hits += 1.0;
 }
 
 // Keeps and shows the pixel. `linear`: its color is light, not a display color.
