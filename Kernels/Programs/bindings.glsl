@@ -135,7 +135,6 @@ const uint nothing = 0xffffffffu; // no glyph, no triangle
 // Limit of translucent surfaces that a ray may pass at random; beyond it the ray is blocked.
 const uint maximumPasses = 4096u;
 
-
 // The nearest hit. Every kind of surface fills all members.
 struct SurfaceHit
 {

@@ -33,20 +33,17 @@ Query LayerQuery(const Layers layers)
 // Whether the answer is a layer that is shown. Behind translucent ones an opaque surface is none.
 bool NextLayer(inout Layers layers, inout Pixel pixel, const SurfaceHit hit)
 {
-  if (hit.t < 0.0)
+  bool next = hit.t >= 0.0;
+  if (layered && next && IsInOtherImage(hit.record))
   {
-    return false;
+    next = layers.count == 0u && ShowsToo(pixel, hit.t + layers.ray.start);
   }
-  if (layered && IsInOtherImage(hit.record) && (layers.count > 0u || !ShowsToo(pixel, hit.t + layers.ray.start)))
+  if (next)
   {
-    return false;
+    ++layers.count;
+    layers.tMin = layered ? hit.t + ErrorOfT(layers.ray, hit) : layers.tMin;
   }
-  ++layers.count;
-  if (layered)
-  {
-    layers.tMin = hit.t + ErrorOfT(layers.ray, hit);
-  }
-  return true;
+  return next;
 }
 
 // Whether more of them would show.
