@@ -128,8 +128,9 @@ struct PixelSums
   vec3 colourLow; // what rounding has left of it
   float opacity;  // likewise
   float opacityLow;
-  float missing; // of the light on the ground, where it is visible: not in the opacity
-  float depth;   // view depth of the nearest sample that hit; of the center's, negated, if that hit
+  float missing;     // of the light on the ground, where it is visible: not in the opacity
+  float depth;       // view depth of the nearest sample that hit; of the center's, negated, if that hit
+  float opaqueDepth; // of the nearest opaque surface, in an image of translucent ones
 };
 
 // Sums of what the samples' camera rays hit, for denoising and scripts.

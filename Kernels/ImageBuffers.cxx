@@ -54,7 +54,7 @@ void ImageBuffers::ClearSums()
   if (this->sums_.Size() >= this->pixels_ * sizeof(device::PixelSums))
   {
     device::PixelSums none{};
-    none.depth = 1e38f;
+    none.depth = none.opaqueDepth = 1e38f;
     this->sums_.Write(this->pixels_, sizeof(none),
       [&](void* target, std::size_t first, std::size_t last)
       { std::fill_n(static_cast<device::PixelSums*>(target), last - first, none); });

@@ -7,38 +7,27 @@
 namespace rtg
 {
 
-namespace
+DoubleBox TrianglePaths::Corner(std::uint32_t corner, double first, double last) const
 {
+  const glm::dvec3 at(this->positions[corner]);
+  if (!Deforms(this->mesh))
+  {
+    return { at, at };
+  }
+  const DoubleBox range = PaddedRangeOfDisplacements(this->mesh.motion, corner, first, last);
+  return { at + range.lower, at + range.upper };
+}
 
-struct Paths
+DoubleBox TrianglePaths::Triangle(std::size_t triangle, double first, double last) const
 {
-  const std::vector<glm::vec3>& positions;
-  const TriangleMesh& mesh;
-
-  DoubleBox Corner(std::uint32_t corner, double first, double last) const
+  const glm::uvec3& corner = this->mesh.triangles[triangle];
+  DoubleBox bounds = this->Corner(corner.x, first, last);
+  for (const std::uint32_t other : { corner.y, corner.z })
   {
-    const glm::dvec3 at(this->positions[corner]);
-    if (!Deforms(this->mesh))
-    {
-      return { at, at };
-    }
-    const DoubleBox range = PaddedRangeOfDisplacements(this->mesh.motion, corner, first, last);
-    return { at + range.lower, at + range.upper };
+    bounds.Include(this->Corner(other, first, last));
   }
-
-  DoubleBox Triangle(std::size_t triangle, double first, double last) const
-  {
-    const glm::uvec3& corner = this->mesh.triangles[triangle];
-    DoubleBox bounds = this->Corner(corner.x, first, last);
-    for (const std::uint32_t other : { corner.y, corner.z })
-    {
-      bounds.Include(this->Corner(other, first, last));
-    }
-    return bounds;
-  }
-};
-
-} // namespace
+  return bounds;
+}
 
 bool Deforms(const TriangleMesh& mesh)
 {
@@ -47,7 +36,7 @@ bool Deforms(const TriangleMesh& mesh)
 
 DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime)
 {
-  const Paths paths{ mesh.positions, mesh };
+  const TrianglePaths paths{ mesh.positions, mesh };
   DoubleBox bounds;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
@@ -77,7 +66,7 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const CentredMesh& centred, con
 {
   constexpr std::size_t trianglesPerLeaf = 2;
   MeshTree tree;
-  const Paths paths{ centred.positions, mesh };
+  const TrianglePaths paths{ centred.positions, mesh };
   const double padding = SlabPadding(centred.radius);
   const auto boxesBetween = [&](double first, double last)
   {

@@ -13,6 +13,16 @@ namespace rtg
 /// True when its positions move in its own frame.
 bool Deforms(const TriangleMesh& mesh);
 
+/// Boxes round a mesh's triangles between two times, which hold what motion the mesh itself has.
+struct TrianglePaths
+{
+  const std::vector<glm::vec3>& positions; ///< of the mesh, in any frame
+  const TriangleMesh& mesh;
+
+  DoubleBox Corner(std::uint32_t corner, double first, double last) const;
+  DoubleBox Triangle(std::size_t triangle, double first, double last) const;
+};
+
 /// A box round all corners of triangles between two times, in the mesh's frame; without rounding of the device's
 /// arithmetic, which may displace corners by a few ulps of their displacement.
 DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);

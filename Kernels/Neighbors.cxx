@@ -2,6 +2,7 @@
 
 #include "GlyphArrays.h"
 #include "GlyphBoxes.h"
+#include "MeshTree.h"
 
 #include <cstring>
 #include <numeric>
@@ -38,36 +39,20 @@ void Keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept)
   }
 }
 
-// The box of a triangle while the shutter is open, in the mesh's frame.
-DoubleBox BoxOfTriangle(const TriangleMesh& mesh, const GlyphMotion& shutter, const glm::uvec3& triangle)
-{
-  DoubleBox box;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const glm::dvec3 position(mesh.positions[triangle[corner]]);
-    DoubleBox range{ glm::dvec3(0.0), glm::dvec3(0.0) };
-    if (mesh.motion.Moves())
-    {
-      range =
-        PaddedRangeOfDisplacements(mesh.motion, triangle[corner], shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
-    }
-    box.Include({ position + range.lower, position + range.upper });
-  }
-  return box;
-}
-
 // A surface is a glyph of size 1 at its set's origin.
 std::shared_ptr<const TriangleMesh> Cut(const GlyphInstances& instances, const DoubleBox& region)
 {
   const glm::dvec3 place = instances.origin + glm::dvec3(instances.centres.front());
   const DoubleBox near{ region.lower - place, region.upper - place };
   auto mesh = std::make_shared<TriangleMesh>(*instances.mesh);
+  const GlyphMotion& shutter = instances.motion;
+  const TrianglePaths paths{ mesh->positions, *mesh };
   std::vector<std::uint32_t> triangles, positions;
   constexpr std::uint32_t unused = 0xffffffffu;
   std::vector<std::uint32_t> newNumber(mesh->positions.size(), unused);
   for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i)
   {
-    if (Touch(BoxOfTriangle(*mesh, instances.motion, mesh->triangles[i]), near))
+    if (Touch(paths.Triangle(i, shutter.EarliestTime(0.0), shutter.LatestTime(1.0)), near))
     {
       triangles.push_back(i);
       for (int corner = 0; corner < 3; ++corner)

@@ -8,6 +8,62 @@ spirv_execution_mode(capabilities = [4467], 4462, 32);
 spirv_execution_mode(capabilities = [4466], 4461, 32);
 #include "../HostDevice.h"
 
+// The magnitude of the largest component.
+float LargestOf(const vec3 v)
+{
+  return max(abs(v.x), max(abs(v.y), abs(v.z)));
+}
+
+// GLSL's own functions, whose sums drivers order each in their own way.
+float Dot(const vec2 a, const vec2 b)
+{
+  return a.y * b.y + a.x * b.x;
+}
+
+float Dot(const vec3 a, const vec3 b)
+{
+  return (a.z * b.z + a.y * b.y) + a.x * b.x;
+}
+
+float Dot(const vec4 a, const vec4 b)
+{
+  return ((a.w * b.w + a.z * b.z) + a.y * b.y) + a.x * b.x;
+}
+
+float Length(const vec2 a)
+{
+  return sqrt(Dot(a, a));
+}
+
+float Length(const vec3 a)
+{
+  return sqrt(Dot(a, a));
+}
+
+// Without overflow.
+vec3 Normalize(const vec3 v)
+{
+  float largest = LargestOf(v);
+  vec3 scaled = v / largest;
+  return largest > 0.0 ? scaled * (1.0 / Length(scaled)) : v;
+}
+
+vec3 Cross(const vec3 a, const vec3 b)
+{
+  return a.yzx * b.zxy - a.zxy * b.yzx;
+}
+
+vec3 Reflect(const vec3 direction, const vec3 normal)
+{
+  return direction - (2.0 * Dot(direction, normal)) * normal;
+}
+
+#define dot Dot
+#define length Length
+#define normalize Normalize
+#define cross Cross
+#define reflect Reflect
+
 layout(set = 0, binding = 0, scalar) uniform Frame
 {
   FrameRecord frame;
@@ -78,12 +134,6 @@ const uint nothing = 0xffffffffu; // no glyph, no triangle
 
 // Limit of translucent surfaces that a ray may pass at random; beyond it the ray is blocked.
 const uint maximumPasses = 4096u;
-
-// The magnitude of the largest component.
-float LargestOf(const vec3 v)
-{
-  return max(abs(v.x), max(abs(v.y), abs(v.z)));
-}
 
 // The nearest hit. Every kind of surface fills all members.
 struct SurfaceHit

@@ -196,12 +196,13 @@ vec4 ColourBetweenEnds(
   if (Has(set.variants, END_VALUES))
   {
     vec2 values = uintBitsToFloat(ends);
-    float value = ValueBetween(min(values.x, values.y), mix(values.x, values.y, fraction));
+    float value = ValueBetween(min(values.x, values.y), values.x + fraction * (values.y - values.x));
     colour = TableColour(set.colourTable, 0u, set.colourTableSize, value);
   }
   else
   {
-    colour = mix(unpackUnorm4x8(ends.x), unpackUnorm4x8(ends.y), fraction);
+    vec4 first = unpackUnorm4x8(ends.x);
+    colour = first + fraction * (unpackUnorm4x8(ends.y) - first);
   }
   return colour * vec4(vec3(1.0), OpacityOf(set, number));
 }

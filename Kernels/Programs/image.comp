@@ -28,7 +28,7 @@ void main()
     do
     {
       SurfaceHit hit = Trace(LayerQuery(layers), layered);
-      more = NextLayer(layers, hit);
+      more = NextLayer(layers, pixel, hit);
       if (more)
       {
         float depth = hit.t + layers.ray.start;

@@ -23,26 +23,27 @@ Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
   return layers;
 }
 
-// Traces on to the next layer. An opaque one is the last.
+// Traces on to the next layer.
 Query LayerQuery(const Layers layers)
 {
   return Query(layers.ray, layers.tMin, frame.farDepth - layers.ray.start,
     layered ? frame.cullMask | OPAQUE_MASK : frame.cullMask, 0u, false);
 }
 
-// Whether the answer is a layer that is shown.
-bool NextLayer(inout Layers layers, const SurfaceHit hit)
+// Whether the answer is a layer that is shown. Behind translucent ones an opaque surface is none.
+bool NextLayer(inout Layers layers, inout Pixel pixel, const SurfaceHit hit)
 {
-  if (hit.t < 0.0)
+  bool next = hit.t >= 0.0;
+  if (layered && next && IsInOtherImage(hit.record))
   {
-    return false;
+    next = layers.count == 0u && ShowsToo(pixel, hit.t + layers.ray.start);
   }
-  ++layers.count;
-  if (layered)
+  if (next)
   {
-    layers.tMin = hit.t + ErrorOfT(layers.ray, hit);
+    ++layers.count;
+    layers.tMin = layered ? hit.t + ErrorOfT(layers.ray, hit) : layers.tMin;
   }
-  return true;
+  return next;
 }
 
 // Whether more of them would show.

@@ -45,10 +45,10 @@ float MeshTime(const GlyphSetRecord set)
 // The same numbers for each triangle of the edge.
 vec3 CornerAt(const GlyphSetRecord set, const uint corner, const float time)
 {
-  precise vec3 position = set.meshPositions.at[corner];
+  vec3 position = set.meshPositions.at[corner];
   if (Has(set.variants, MOVING_MESH))
   {
-    precise vec3 displacement = vec3(0.0);
+    vec3 displacement = vec3(0.0);
     if (Has(set.variants, MESH_ACCELERATIONS))
     {
       displacement = (0.5 * time) * set.meshAccelerations.at[InSet(set, MESH_ACCELERATIONS, corner)];
@@ -91,9 +91,8 @@ ShearedRay Shear(const MeshRay ray)
 
 vec3 Sheared(const vec3 position, const ShearedRay ray)
 {
-  precise vec3 p = Cycled(position - ray.origin, ray.axis);
-  precise vec3 sheared = vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, ray.shear.z * p.z);
-  return sheared;
+  vec3 p = Cycled(position - ray.origin, ray.axis);
+  return vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, ray.shear.z * p.z);
 }
 
 // Whether the line meets the triangle, where, and the weights of the corners there.
@@ -102,7 +101,7 @@ bool MeetsTriangle(const ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, ou
   a = Sheared(a, ray);
   b = Sheared(b, ray);
   c = Sheared(c, ray);
-  precise vec3 edges = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+  vec3 edges = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
   float sum = edges.x + edges.y + edges.z;
   weight = edges / sum;
   s = dot(weight, vec3(a.z, b.z, c.z));

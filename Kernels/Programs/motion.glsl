@@ -21,8 +21,7 @@ uint SliceOf(const uint sliceBits)
 vec2 SineCosine(const float angle)
 {
   float quarters = floor(0.63661977 * angle + 0.5);
-  precise float x =
-    ((angle - quarters * 1.5703125) - quarters * 4.837512969970703125e-4) - quarters * 7.549789948768648e-8;
+  float x = ((angle - quarters * 1.5703125) - quarters * 4.837512969970703125e-4) - quarters * 7.549789948768648e-8;
   float x2 = x * x;
   float sine = x + x * x2 * (-1.0 / 6.0 + x2 * (1.0 / 120.0 + x2 * (-1.0 / 5040.0 + x2 * (1.0 / 362880.0))));
   float cosine = 1.0 + x2 * (-0.5 + x2 * (1.0 / 24.0 + x2 * (-1.0 / 720.0 + x2 * (1.0 / 40320.0))));
@@ -77,6 +76,6 @@ void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, con
     vec4 a = TurnSince(set, primitive, time);
     vec4 b = glyph.rotation;
     vec4 product = vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
-    glyph.rotation = normalize(product);
+    glyph.rotation = product / sqrt(dot(product, product));
   }
 }

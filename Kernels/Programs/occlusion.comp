@@ -160,7 +160,7 @@ void main()
         colour += reflected * (arrived / float(rays));
       }
     }
-    else if (NextLayer(layers, found))
+    else if (NextLayer(layers, pixel, found))
     {
       hit = found;
       vec3 direction = layers.ray.direction;

@@ -284,9 +284,9 @@ void main()
     bool onward = hit.t >= 0.0;
     if (camera)
     {
-      if (translucency && onward && frame.cullMask == TRANSLUCENT_MASK && SetRecord(hit.record).translucent == 0u)
+      if (translucency && onward && IsInOtherImage(hit.record))
       {
-        onward = false;
+        onward = ShowsToo(pixel, hit.t + ray.start);
       }
       if (onward)
       {

@@ -62,11 +62,11 @@ struct Pixel
   DoubleWord3 colour;
   DoubleWord opacity;
   float missing; // of the light on the ground
-  bool found;    // some sample hit
   bool centreHit;
-  float depth;  // view depth of the center's sample, or else of the nearest
-  float behind; // window depth of the ground, which rays do not hit
-  uint record;  // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
+  float depth;       // view depth of the center's sample, or else of the nearest
+  float opaqueDepth; // of the nearest opaque surface, in an image of translucent ones
+  float behind;      // window depth of the ground, which rays do not hit
+  uint record;       // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
   uint glyph;
 };
 
@@ -76,9 +76,8 @@ Pixel BeginPixel(const uvec2 position)
   pixel.colour = Word3(vec3(0.0));
   pixel.opacity = Word(0.0);
   pixel.missing = 0.0;
-  pixel.found = false;
   pixel.centreHit = false;
-  pixel.depth = 1e38;
+  pixel.depth = pixel.opaqueDepth = 1e38;
   pixel.behind = 1.0;
   pixel.record = 0xffffffffu;
   pixel.glyph = 0xffffffffu;
@@ -90,9 +89,9 @@ Pixel BeginPixel(const uvec2 position)
     pixel.opacity = DoubleWord(frame.sums.at[at].opacity, frame.sums.at[at].opacityLow);
     pixel.missing = ground ? frame.sums.at[at].missing : 0.0;
     float depth = frame.sums.at[at].depth;
-    pixel.found = depth < 1e38;
     pixel.centreHit = floatBitsToUint(depth) >> 31u != 0u;
     pixel.depth = abs(depth);
+    pixel.opaqueDepth = layered || translucency ? frame.sums.at[at].opaqueDepth : 1e38;
   }
   return pixel;
 }
@@ -108,17 +107,36 @@ void AddToPixel(inout Pixel pixel, const vec3 colour, const float opacity)
   pixel.colour.lo = mix(sum.lo, vec3(0.0), isinf(plain));
 }
 
+// Whether it is an opaque surface in an image of translucent ones: there is an image of opaque ones besides.
+bool IsInOtherImage(const uint record)
+{
+  return (layered || translucency) && frame.cullMask == TRANSLUCENT_MASK && SetRecord(record).translucent == 0u;
+}
+
+// Whether this image shows such a surface, which a camera ray hits first, nevertheless. Where a translucent one lies
+// behind it in the same pixel, at its edge, the other image shows the background: there this one has both, and is no
+// farther than the nearest of them.
+bool ShowsToo(inout Pixel pixel, const float viewDepth)
+{
+  pixel.opaqueDepth = min(pixel.opaqueDepth, viewDepth);
+  return viewDepth < pixel.depth && pixel.depth < 1e38;
+}
+
 // Depth and identity of a sample whose camera ray has just hit.
 void Identify(inout Pixel pixel, const uint index, const float viewDepth, const uint record, const uint glyph)
 {
-  if (index == 0u || (!pixel.centreHit && viewDepth < pixel.depth))
+  if ((index == 0u || (!pixel.centreHit && viewDepth < pixel.depth)) && !IsInOtherImage(record))
   {
     pixel.centreHit = index == 0u;
     pixel.depth = viewDepth;
     pixel.record = record;
     pixel.glyph = glyph;
   }
-  pixel.found = true;
+}
+
+float WindowDepth(const float viewDepth)
+{
+  return frame.depthA + (frame.parallel != 0u ? frame.depthB * viewDepth : frame.depthB / viewDepth);
 }
 
 // Adds what the sample's camera ray hit to the sums for denoising and scripts.
@@ -147,6 +165,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
     frame.sums.at[at].opacityLow = pixel.opacity.lo;
     frame.sums.at[at].missing = pixel.missing;
     frame.sums.at[at].depth = pixel.centreHit ? -pixel.depth : pixel.depth;
+    frame.sums.at[at].opaqueDepth = pixel.opaqueDepth;
   }
 
   vec4 shown = vec4(0.0);
@@ -163,20 +182,24 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   }
   float windowDepth = shown.a > 0.0 ? pixel.behind : 1.0;
   uint setId = 0xffffffffu;
-  if (pixel.found)
+  if (pixel.depth < 1e38)
   {
-    windowDepth = frame.depthA + (frame.parallel != 0u ? frame.depthB * pixel.depth : frame.depthB / pixel.depth);
+    windowDepth = WindowDepth(pixel.depth);
+  }
+  if (pixel.opaqueDepth < 1e38)
+  {
+    // A little nearer: depth buffers round to 24 bits.
+    windowDepth = min(windowDepth, WindowDepth(pixel.opaqueDepth) - 2.4e-7);
   }
   if (pixel.record != 0xffffffffu)
   {
     setId = SetRecord(pixel.record).setId;
   }
-  // Earlier samples may have written already what is there.
-  bool fresh = frame.firstSample == 0u || pixel.record != 0xffffffffu;
   frame.colour.at[at] = packUnorm4x8(shown);
-  if (fresh)
+  frame.depth.at[at] = windowDepth;
+  // Earlier samples may have written already what is there.
+  if (frame.firstSample == 0u || pixel.record != 0xffffffffu)
   {
-    frame.depth.at[at] = windowDepth;
     frame.setIds.at[at] = setId;
     frame.glyphIds.at[at] = pixel.glyph;
   }

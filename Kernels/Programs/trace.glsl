@@ -72,7 +72,8 @@ DoubleWord3 LeaveSurface(const SceneRay ray, const SurfaceHit hit)
 }
 
 // The nearest hit with tMin <= t <= tMax, or one with t < 0; of a query of any, only the sign of t means something.
-// With `gathers` the next of the layers, which are gathered in one traversal, as many as the list holds.
+// With `gathers` the next of the layers, which are gathered in one traversal, as many as the list holds; where there
+// are none, the nearest opaque surface.
 SurfaceHit Trace(const Query query, const bool gathers)
 {
   GlyphRay ray = GlyphRay(query.ray.origin.hi, query.ray.origin.lo, query.ray.direction);
@@ -98,7 +99,7 @@ SurfaceHit Trace(const Query query, const bool gathers)
   }
   if (layered && gathers)
   {
-    found.glyph = nothing;
+    found.glyph = layerCount > 0u ? nothing : found.glyph; // else an opaque one
     if (layerNext < layerCount)
     {
       found = LayerAt(layerNext++);

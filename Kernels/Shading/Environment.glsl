@@ -43,8 +43,8 @@ vec3 SampleEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
   // Evenly over the cell's solid angle: the sine of the latitude is even.
   float low = -cos(environmentPi * float(first.y) / float(frame.environmentSize.y));
   float high = -cos(environmentPi * float(last.y) / float(frame.environmentSize.y));
-  float sine = clamp(mix(low, high, place.y), -1.0, 1.0);
-  float column = mix(float(first.x), float(last.x), place.x);
+  float sine = clamp(low + place.y * (high - low), -1.0, 1.0);
+  float column = float(first.x) + place.x * float(last.x - first.x);
   float row = (asin(sine) / environmentPi + 0.5) * float(frame.environmentSize.y);
   float longitude = (column / float(frame.environmentSize.x) - 0.5) * 2.0 * environmentPi;
   float cosine = sqrt(max(1.0 - sine * sine, 0.0));

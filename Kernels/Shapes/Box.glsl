@@ -17,10 +17,7 @@ BoxCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real t
   return FirstCrossing(local, BoxSpan(local, halfSize), tMin, tMax, crossing);
 }
 
-RTG_FN Enclosure BoxEnclosure(const Glyph glyph)
-{
-  return BoxedEnclosure(glyph);
-}
+#define BoxEnclosure BoxedEnclosure
 
 RTG_FN real3 BoxNormal(const Glyph glyph, const Crossing crossing)
 {

@@ -29,10 +29,7 @@ RTG_FN bool ConeCrossing(const GlyphRay ray, const Glyph glyph, const real tMin,
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-RTG_FN Enclosure ConeEnclosure(const Glyph glyph)
-{
-  return BoxedEnclosure(glyph);
-}
+#define ConeEnclosure BoxedEnclosure
 
 RTG_FN real3 ConeNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {

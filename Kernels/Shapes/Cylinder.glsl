@@ -22,10 +22,7 @@ RTG_FN bool CylinderCrossing(const GlyphRay ray, const Glyph glyph, const real t
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-RTG_FN Enclosure CylinderEnclosure(const Glyph glyph)
-{
-  return BoxedEnclosure(glyph);
-}
+#define CylinderEnclosure BoxedEnclosure
 
 RTG_FN real3 CylinderNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {

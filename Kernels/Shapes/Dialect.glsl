@@ -10,7 +10,6 @@
 #define RTG_SHAPE uint
 #define RTG_IS(shape, number) IsOfShape(shape, number)
 #define RTG_OUT(type) out type
-#define RTG_PRECISE precise
 #define RTG_UNROLL [[unroll]]
 #define RTG_VALUES FloatArray // HostDevice.h
 #define RTG_VALUE(glyph, index) glyph.values.at[glyph.firstValue + (index)]

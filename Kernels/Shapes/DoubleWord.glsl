@@ -72,11 +72,9 @@ RTG_FN DoubleWord SquareRoot(const DoubleWord a)
   {
     return Word(real(0.0));
   }
-  RTG_PRECISE real root = sqrt(a.hi);
+  real root = sqrt(a.hi);
   DoubleWord square = TwoProduct(root, root);
-  RTG_PRECISE real residual = ((a.hi - square.hi) - square.lo) + a.lo;
-  RTG_PRECISE real correction = residual / (real(2.0) * root);
-  return FastTwoSum(root, correction);
+  return FastTwoSum(root, (((a.hi - square.hi) - square.lo) + a.lo) / (real(2.0) * root));
 }
 
 #endif

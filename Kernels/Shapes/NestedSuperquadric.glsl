@@ -36,10 +36,7 @@ RTG_FN bool IntersectNestedSuperquadric(const GlyphRay ray, const Glyph glyph, c
   return crossing.found;
 }
 
-RTG_FN Enclosure NestedSuperquadricEnclosure(const Glyph glyph)
-{
-  return BoxedEnclosure(glyph);
-}
+#define NestedSuperquadricEnclosure BoxedEnclosure
 
 // The norm dual to the p-norm, p = 2 / exponent, of non-negative a, b: the reach of the p-norm's unit ball. Not
 // convex (exponent > 2) it reaches as far as its convex hull, the octahedron's.

@@ -38,7 +38,6 @@ constexpr Real splitter = Real((1LL << ((std::numeric_limits<Real>::digits + 1) 
 #define RTG_SHAPE Shape
 #define RTG_IS(shape, number) (shape == Shape(number))
 #define RTG_OUT(type) type&
-#define RTG_PRECISE
 #define RTG_UNROLL
 #define RTG_VALUES const float*
 #define RTG_VALUE(glyph, index) Real((glyph).values[index])
@@ -67,7 +66,6 @@ struct Kernel
 #undef RTG_SHAPE
 #undef RTG_IS
 #undef RTG_OUT
-#undef RTG_PRECISE
 #undef RTG_UNROLL
 #undef RTG_VALUES
 #undef RTG_VALUE

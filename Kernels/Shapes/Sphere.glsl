@@ -14,12 +14,10 @@ RTG_FN real SquaredDepth(const DoubleWord radiusSquared, const DoubleWord3 o)
   DoubleWord x = TwoSum(radiusSquared.hi, -p.hi.x);
   DoubleWord y = TwoSum(x.hi, -p.hi.y);
   DoubleWord z = TwoSum(y.hi, -p.hi.z);
-  RTG_PRECISE real rounding = ((x.lo + y.lo) + z.lo) + radiusSquared.lo;
-  RTG_PRECISE real squares = (p.lo.x + p.lo.y) + p.lo.z;
-  RTG_PRECISE real mixed = (o.hi.x * o.lo.x + o.hi.y * o.lo.y) + o.hi.z * o.lo.z;
-  RTG_PRECISE real low = (rounding - squares) - real(2.0) * mixed;
-  RTG_PRECISE real depth = z.hi + low;
-  return depth;
+  real rounding = ((x.lo + y.lo) + z.lo) + radiusSquared.lo;
+  real squares = (p.lo.x + p.lo.y) + p.lo.z;
+  real mixed = (o.hi.x * o.lo.x + o.hi.y * o.lo.y) + o.hi.z * o.lo.z;
+  return z.hi + ((rounding - squares) - real(2.0) * mixed);
 }
 
 // The span inside |o + s d| <= radius when o is close to the point of the line nearest to the origin: then

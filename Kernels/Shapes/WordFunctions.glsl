@@ -23,10 +23,8 @@
 // A constant from four numbers of 24 bits that follow each other: float keeps the first two, double all.
 RTG_FN DoubleWord FromParts(const real c0, const real c1, const real c2, const real c3)
 {
-  RTG_PRECISE real hi = c0 + c1;
-  RTG_PRECISE real rest = (c0 - hi) + c1;
-  RTG_PRECISE real lo = rest + (c2 + c3);
-  return DoubleWord(hi, lo);
+  real hi = c0 + c1;
+  return DoubleWord(hi, ((c0 - hi) + c1) + (c2 + c3));
 }
 
 // 2^(i/8 - 1/2), i = 0 .. 8.

@@ -20,6 +20,7 @@ namespace
 {
 
 using Words = std::span<const std::uint32_t>;
+constexpr std::size_t headerWords = 5;
 
 // SPIR-V's instructions (specification 1.5, section 3.42) and their operands.
 enum : std::uint32_t
@@ -34,8 +35,14 @@ enum : std::uint32_t
   OpFunctionCall = 57,
   OpVariable = 59,
   OpDecorate = 71,
+  OpFAdd = 129,
+  OpFSub = 131,
+  OpFMul = 133,
+  OpFDiv = 136,
+  OpVectorTimesScalar = 142,
   CapabilityRayQuery = 4472,
-  DecorationBlock = 2
+  DecorationBlock = 2,
+  DecorationNoContraction = 42
 };
 
 // Whether a program with these constants never calls a function of this name.
@@ -51,7 +58,6 @@ bool NeverCalls(std::string_view name, const Constants& constants)
 // calls: SPIRV-Tools' passes take a quarter of the time for the rest.
 std::vector<std::uint32_t> WithoutUncalled(const programs::Code& code, const Constants& constants)
 {
-  constexpr std::size_t headerWords = 5;
   std::vector<Words> globals;
   std::map<std::uint32_t, std::vector<Words>> functions;
   std::vector<Words>* part = &globals;
@@ -121,6 +127,30 @@ std::vector<std::uint32_t> WithoutUncalled(const programs::Code& code, const Con
   return all;
 }
 
+// Keeps drivers from fusing products and sums: some would, and round otherwise than others.
+void DecorateArithmetic(std::vector<std::uint32_t>& words)
+{
+  std::vector<std::uint32_t> decorations;
+  std::size_t first = 0;
+  for (std::size_t at = headerWords; at < words.size(); at += words[at] >> 16)
+  {
+    switch (words[at] & 0xffffu)
+    {
+      case OpDecorate:
+        first = at;
+        break;
+      case OpFAdd:
+      case OpFSub:
+      case OpFMul:
+      case OpFDiv:
+      case OpVectorTimesScalar:
+        decorations.insert(decorations.end(), { 3u << 16 | OpDecorate, words[at + 2], DecorationNoContraction });
+        break;
+    }
+  }
+  words.insert(words.begin() + std::ptrdiff_t(first), decorations.begin(), decorations.end());
+}
+
 } // namespace
 
 std::vector<std::uint32_t> Specialize(const programs::Code& code, const Constants& constants)
@@ -152,6 +182,7 @@ std::vector<std::uint32_t> Specialize(const programs::Code& code, const Constant
     throw Error("SPIRV-Tools cannot specialize a program of the renderer: " + messages +
       ". Build the plugin with another version of SPIRV-Tools.");
   }
+  DecorateArithmetic(words);
   return words;
 }
 

@@ -61,7 +61,7 @@ std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
     const rtg::Image* image = images[0];
     for (const rtg::Image* other : images)
     {
-      image = other->depth[i] < image->depth[i] ? other : image;
+      image = other->glyphIds[i] != rtg::Image::noGlyph && other->depth[i] < image->depth[i] ? other : image;
     }
     const std::uint32_t color = image->colour[i];
     colors->SetTuple4(i, color & 255, (color >> 8) & 255, (color >> 16) & 255, color >> 24);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,33 @@ TEST(Specialize, AsksForRayQueriesOnlyWhereTheyAreMade)
       const auto found = std::search(words.begin(), words.end(), std::begin(capability), std::end(capability));
       EXPECT_EQ(found != words.end(), queries != 0);
     }
+  }
+}
+
+// Drivers may neither fuse products and sums nor choose the order of a sum.
+TEST(Specialize, LeavesNoRoundingToTheDriver)
+{
+  constexpr std::uint32_t opExtInst = 12, opDecorate = 71, noContraction = 42, fMix = 46, length = 66, refract = 72;
+  const std::set<std::uint32_t> single = { 129, 131, 133, 136, 142 };       // OpFAdd ... OpVectorTimesScalar
+  const std::set<std::uint32_t> several = { 143, 144, 145, 146, 147, 148 }; // OpMatrixTimesScalar ... OpDot
+  for (std::uint32_t program = 0; program < programs; ++program)
+  {
+    const std::vector<std::uint32_t> words =
+      rtg::Specialize(rtg::programs::modules[program], ConstantsOf({ rtg::Shape::Sphere, rtg::Shape::Mesh }, ~0u));
+    std::set<std::uint32_t> decorated;
+    for (std::size_t at = 5; at < words.size(); at += words[at] >> 16)
+    {
+      const std::uint32_t code = words[at] & 0xffffu;
+      if (code == opDecorate && words[at + 2] == noContraction)
+      {
+        decorated.insert(words[at + 1]);
+      }
+      EXPECT_TRUE(!single.contains(code) || decorated.contains(words[at + 2])) << code;
+      EXPECT_FALSE(several.contains(code)) << code;
+      const std::uint32_t function = code == opExtInst ? words[at + 4] : 0;
+      EXPECT_FALSE(function == fMix || (function >= length && function <= refract)) << function;
+    }
+    EXPECT_GT(decorated.size(), 400u);
   }
 }
 

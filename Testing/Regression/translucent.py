@@ -121,6 +121,26 @@ def own_opacities(failures):
             failures.append("opacities, %s: %d levels apart" % (name, apart))
 
 
+def edges(failures):
+    """The background does not show between an opaque glyph and what is behind it, nearly opaque, of another display."""
+    view = session.view(200, 150, (0, 255, 0))
+    session.look(view, (0.0, 0.0, 5.0))
+    ball = session.glyphs(session.source(session.poly_data(numpy.array([[0.0, 0.0, 1.0]]))), view, "Sphere", samples=16, Orient=0, ScaleFactor=1.4)
+    box = session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, "Box", Orient=0, ScaleFactor=9.0, Opacity=0.999)
+    box.Position = [0.0, 0.0, -5.0]
+    for shown, colour in (ball, (0.9, 0.1, 0.1)), (box, (0.2, 0.2, 0.9)):
+        session.solid(shown, colour)
+    for mode in ("Local", "Ambient Occlusion", "Path Tracing"):
+        ball.ShadingMode = mode
+        pv.Render(view)
+        picture = session.capture(view, "translucent-edge-" + mode.split()[0].lower()).astype(int)
+        green = picture[..., 1] - picture[..., [0, 2]].max(axis=2)
+        print("edges, %s: %d levels greener than red or blue at most" % (mode, green.max()))
+        if green.max() > 0:
+            failures.append("edges, %s: the background shows in %d pixels, by up to %d levels" % (mode, (green > 0).sum(), green.max()))
+    pv.Delete(view)
+
+
 def main():
     """Against ParaView, then mode against mode."""
     session.load()
@@ -142,6 +162,7 @@ def main():
     if both.sum() < 20000 or numpy.abs(apart).max() > 1.0:
         failures.append("path tracing shows other layers than local shading: %s levels apart over %d pixels" % (apart, both.sum()))
     own_opacities(failures)
+    edges(failures)
     session.finish(failures)
 
 
