@@ -42,7 +42,10 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
-  glyph.before = glyph.after = glm::vec4(0.0f); // a flat end cuts a little off the box of the round one
+  // A flat end cuts a little off the box of the round one.
+  const bool swept = instances.shape == Shape::SweptEllipsoid;
+  glyph.before = swept ? instances.before[i] : glm::vec4(0.0f);
+  glyph.after = swept ? instances.after[i] : glm::vec4(0.0f);
   glyph.values = instances.polynomials.empty() ? nullptr : instances.polynomials[i];
   glyph.firstValue = 0;
   glyph.degree = instances.polynomialDegree;

@@ -92,7 +92,7 @@ const char* Row(const Array& array, std::size_t glyph)
 /// Whether a shape has GlyphInstances' exponents.
 inline bool HasExponents(Shape shape)
 {
-  return shape == Shape::Superquadric || shape == Shape::NestedSuperquadric;
+  return shape == Shape::Superquadric || shape == Shape::NestedSuperquadric || shape == Shape::SweptEllipsoid;
 }
 
 /// Proportions of the unit arrow, as fractions of its length of 1. Defaults are vtkArrowSource's.
@@ -170,6 +170,7 @@ struct GlyphInstances
 
   /// Shape::RoundCone only: what a piece of a line meets at its end at -x and at +x, in its own frame
   /// (Shapes/RoundCone.glsl), or empty: both ends are round, and what lies inside other pieces counts as surface, too.
+  /// Of Shape::SweptEllipsoid these, sizes and exponents are what StoreSweep() makes of two ellipsoids.
   std::vector<glm::vec4> before, after;
 
   GlyphMotion motion;
@@ -196,7 +197,7 @@ struct GlyphColours
   /// One a glyph in the order of GlyphInstances, or empty. White leaves glyphs with GlyphInstances::forms the two
   /// colors of those, and others those of GlyphInstances::surfaceColours.
   std::vector<std::uint32_t> each;
-  /// Shape::RoundCone: one at the ball at -x and one at the ball at +x of each glyph, linear between.
+  /// Shape::RoundCone, Shape::SweptEllipsoid: one at the end at -x and one at that at +x of each glyph, linear between.
   /// Shape::Polynomial: one at its center and one at the distance of half its size from it, linear between. No others.
   /// With a table they are the bits of floats, whose colors the table has as TriangleMesh::valueColours has those of
   /// positions. Where `each` is there, too, only white leaves the color to them, and both opacities count.

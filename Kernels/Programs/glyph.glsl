@@ -164,8 +164,8 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
     met = IntersectGlyph(set.shape, ray, glyph, tMin, atCap ? RTG_NEVER : tMax, wantsNormal || atCap, t, normal);
     if (atCap)
     {
-      inside =
-        Has(set.variants, BEFORE | AFTER) ? IsInPiece(ray, glyph, tMin) : met && dot(normal, ray.direction) > 0.0;
+      bool piece = Has(set.variants, BEFORE | AFTER) && IsOfShape(set.shape, RTG_OWN_ESTIMATE);
+      inside = piece ? IsInPiece(ray, glyph, tMin) : met && dot(normal, ray.direction) > 0.0;
       met = met && t <= tMax;
     }
   }
@@ -184,12 +184,13 @@ float OpacityOf(const GlyphSetRecord set, const uint glyph)
   return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
 }
 
-// The color of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
+// The color of a piece of a line where a ray meets it at t, between those of the ends' middles, or of a polynomial,
 // between those at its center and farthest from it.
 vec4 ColourBetweenEnds(
   const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
 {
-  vec3 position = FromCentre(ray, glyph, t) / max(glyph.size.x, 1e-30);
+  float extent = IsOfShape(set.shape, RTG_SWEPT) ? glyph.after.w : glyph.size.x;
+  vec3 position = FromCentre(ray, glyph, t) / max(extent, 1e-30);
   float fraction = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
   uvec2 ends = set.endColours.at[InSetIfHit(set, END_COLOURS, number)];
   vec4 colour;

@@ -14,13 +14,17 @@
   ENTRY(6, NestedSuperquadric)                                                                                         \
   ENTRY(10, Capsule)                                                                                                   \
   ENTRY(11, RoundCone)                                                                                                 \
-  ENTRY(12, Polynomial)
+  ENTRY(12, Polynomial)                                                                                                \
+  ENTRY(20, SweptEllipsoid)
 
 // Bits of convex shapes, which a ray enters and leaves once.
-#define RTG_CONVEX_SHAPES 0xc0f
+#define RTG_CONVEX_SHAPES 0x100c0f
 
 // The shape that has an estimate of its own: RoundCone.
 #define RTG_OWN_ESTIMATE 11
+
+// SweptEllipsoid, whose ends' distance is not its size.
+#define RTG_SWEPT 20
 
 // A mesh, which is no analytic shape.
 #define RTG_MESH 7

@@ -20,6 +20,7 @@
 #include "RoundCone.glsl"
 #include "Sphere.glsl"
 #include "Superquadric.glsl"
+#include "SweptEllipsoid.glsl"
 
 // Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves. Where it is wanted
 // and there is a crossing, also the outward unit normal there, in the world.

@@ -57,6 +57,8 @@ typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances
   glyph.fixedHeads = form.fixedHeads;
   glyph.unitLength = form.unitLength;
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
+  glyph.before = instances.before.empty() ? glm::vec4(0.0f) : instances.before[index];
+  glyph.after = instances.after.empty() ? glm::vec4(0.0f) : instances.after[index];
   glyph.values = instances.polynomials.empty() ? nullptr : instances.polynomials[index];
   glyph.degree = instances.polynomialDegree;
   return glyph;

@@ -1,0 +1,70 @@
+#include "SweptEllipsoid.h"
+
+#include "Glyphs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtg
+{
+
+namespace
+{
+
+glm::vec4 Quaternion(const glm::dquat& q)
+{
+  return { q.x, q.y, q.z, q.w };
+}
+
+glm::dmat3 Thickened(const SymmetricTensor& tensor)
+{
+  const Eigensystem eigen = Decompose(tensor);
+  const double least = thinnestTensorGlyph * thinnestTensorGlyph * eigen.values[0];
+  const glm::dmat3& v = eigen.vectors;
+  return v * glm::dmat3(std::max(eigen.values[0], 0.0) * glm::dvec3(1, 0, 0), std::max(eigen.values[1], least) * glm::dvec3(0, 1, 0), std::max(eigen.values[2], least) * glm::dvec3(0, 0, 1)) * glm::transpose(v);
+}
+
+Eigensystem Decompose(const glm::dmat3& m)
+{
+  return Decompose(SymmetricTensor{ m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] });
+}
+
+} // namespace
+
+void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances)
+{
+  const glm::dvec3 way = last.middle - first.middle;
+  const double length = glm::length(way);
+  const glm::dmat3 firstMatrix = Thickened(first.matrix), lastMatrix = Thickened(last.matrix);
+  const glm::dmat3 middle = 0.5 * (firstMatrix + lastMatrix), growth = 0.5 * (lastMatrix - firstMatrix);
+
+  // The outline half-way as seen along the way: its axes are y and z.
+  const glm::dvec3 x = way / length;
+  const glm::dvec3 aside = std::abs(x.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  glm::dmat3 axes(x, glm::normalize(aside - glm::dot(aside, x) * x), glm::dvec3(0.0));
+  axes[2] = glm::cross(x, axes[1]);
+  glm::dmat3 local = glm::transpose(axes) * middle * axes;
+  const double angle = 0.5 * std::atan2(2.0 * local[2][1], local[1][1] - local[2][2]);
+  const glm::dvec3 y = std::cos(angle) * axes[1] + std::sin(angle) * axes[2];
+  axes = glm::dmat3(x, y, glm::cross(x, y));
+  local = glm::transpose(axes) * middle * axes;
+
+  // middle = A A^T with A of the unit ball's coordinates v.
+  const double across = std::sqrt(local[1][1]), down = std::sqrt(local[2][2]);
+  const double shearedY = local[1][0] / across, shearedZ = local[2][0] / down;
+  const double along = std::sqrt(std::max(local[0][0] - shearedY * shearedY - shearedZ * shearedZ, 0.0));
+  const glm::dmat3 unit = glm::transpose(glm::dmat3(along, shearedY, shearedZ, 0, across, 0, 0, 0, down));
+  const glm::dmat3 back = glm::inverse(axes * unit);
+  const Eigensystem grown = Decompose(back * growth * glm::transpose(back));
+
+  const double reach =
+    std::sqrt(std::max(glm::dot(x, firstMatrix * x), glm::dot(x, lastMatrix * x)));
+  instances.centres[index] = glm::vec3(0.5 * (first.middle + last.middle));
+  instances.sizes3[index] = glm::vec3(length + 2.0 * reach, 2.0 * across, 2.0 * down);
+  instances.rotations[index] = Quaternion(glm::quat_cast(axes));
+  instances.before[index] = Quaternion(glm::quat_cast(grown.vectors));
+  instances.after[index] = glm::vec4(shearedY, shearedZ, along, length);
+  instances.exponents3[index] = glm::vec3(glm::clamp(1.0 + grown.values, 1e-9, 2.0));
+}
+
+} // namespace rtg
