@@ -21,7 +21,10 @@ glm::dmat3 Thickened(const SymmetricTensor& tensor)
   const Eigensystem eigen = Decompose(tensor);
   const double least = thinnestTensorGlyph * thinnestTensorGlyph * eigen.values[0];
   const glm::dmat3& v = eigen.vectors;
-  return v * glm::dmat3(std::max(eigen.values[0], 0.0) * glm::dvec3(1, 0, 0), std::max(eigen.values[1], least) * glm::dvec3(0, 1, 0), std::max(eigen.values[2], least) * glm::dvec3(0, 0, 1)) * glm::transpose(v);
+  return v *
+    glm::dmat3(std::max(eigen.values[0], 0.0) * glm::dvec3(1, 0, 0),
+      std::max(eigen.values[1], least) * glm::dvec3(0, 1, 0), std::max(eigen.values[2], least) * glm::dvec3(0, 0, 1)) *
+    glm::transpose(v);
 }
 
 Eigensystem Decompose(const glm::dmat3& m)
@@ -57,8 +60,7 @@ void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, 
   const glm::dmat3 back = glm::inverse(axes * unit);
   const Eigensystem grown = Decompose(back * growth * glm::transpose(back));
 
-  const double reach =
-    std::sqrt(std::max(glm::dot(x, firstMatrix * x), glm::dot(x, lastMatrix * x)));
+  const double reach = std::sqrt(std::max(glm::dot(x, firstMatrix * x), glm::dot(x, lastMatrix * x)));
   instances.centres[index] = glm::vec3(0.5 * (first.middle + last.middle));
   instances.sizes3[index] = glm::vec3(length + 2.0 * reach, 2.0 * across, 2.0 * down);
   instances.rotations[index] = Quaternion(glm::quat_cast(axes));

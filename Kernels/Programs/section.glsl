@@ -21,11 +21,6 @@ bool IsCap(const GlyphSetRecord set, const uint triangle)
   return Has(set.variants, SECTION) && triangle >= firstCap && triangle != nothing;
 }
 
-DoubleWord SumOf(const DoubleWord3 a)
-{
-  return Add(Add(WordX(a), WordY(a)), WordZ(a));
-}
-
 // A normal of the body, as a glyph has rotated it.
 vec3 TurnedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
 {

@@ -65,6 +65,11 @@ RTG_FN DoubleWord WordZ(const DoubleWord3 a)
   return DoubleWord(a.hi.z, a.lo.z);
 }
 
+RTG_FN DoubleWord SumOf(const DoubleWord3 a)
+{
+  return Add(Add(WordX(a), WordY(a)), WordZ(a));
+}
+
 // Square root with one Heron step on the exact residual; 0 for negative numbers. Error of a few u^2.
 RTG_FN DoubleWord SquareRoot(const DoubleWord a)
 {

@@ -35,11 +35,6 @@ RTG_FN DoubleWord3 Words(const DoubleWord x, const DoubleWord y, const DoubleWor
   return DoubleWord3(real3(x.hi, y.hi, z.hi), real3(x.lo, y.lo, z.lo));
 }
 
-RTG_FN DoubleWord SumOf(const DoubleWord3 a)
-{
-  return Add(Add(WordX(a), WordY(a)), WordZ(a));
-}
-
 RTG_FN DoubleWord3 ToDiagonal(const Glyph glyph, const DoubleWord3 p)
 {
   DoubleWord y = Divide(WordY(p), real(0.5) * glyph.size.y);
@@ -114,7 +109,8 @@ RTG_FN real HeightOfCrossing(
     // Newton's method, or a bisection where that does not halve the rate.
     real next = bend > real(0.0) ? at - rate / bend : middle;
     // Steps are short, too, where the line hardly meets that ellipsoid.
-    done = (bend > real(0.0) && abs(next - at) <= enough && abs(rate) < real(1.0e-3) * (real(1.0) + length(way))) || !(low < high);
+    done = (bend > real(0.0) && abs(next - at) <= enough && abs(rate) < real(1.0e-3) * (real(1.0) + length(way))) ||
+      !(low < high);
     if (!done && !(next > low))
     {
       next = lowIsEnd ? low : middle;
@@ -136,8 +132,8 @@ RTG_FN real SweptDepth(const DoubleWord3 o, const DoubleWord3 weights)
 }
 
 // Where the ray enters or leaves the sweep; half the gradient of F there, which is right only where it is wanted.
-RTG_FN bool MeetSweep(
-  const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(DoubleWord3) gradient)
+RTG_FN bool
+MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(DoubleWord3) gradient)
 {
   real3 d = swept.ray.direction.hi;
   real3 way = swept.way.hi;
@@ -157,8 +153,8 @@ RTG_FN bool MeetSweep(
   real depth = real(0.0);
   bool met = false;
   int step = RTG_APPROACH;
-  int polishes = wantsNormal ? 2 : 0;
-  for (int pass = 0; pass < 8 && step != RTG_DONE; ++pass)
+  int polishes = wantsNormal ? 3 : 0;
+  for (int pass = 0; pass < 14 && step != RTG_DONE; ++pass)
   {
     if (step == RTG_SEARCH)
     {
@@ -178,7 +174,7 @@ RTG_FN bool MeetSweep(
     met = discriminant >= real(-64.0 * RTG_ROUNDOFF) * a;
     near = Advance(near, (side * sqrt(max(discriminant, real(0.0))) - b) / a);
 
-    bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 5 || abs(at) * length(way) < real(1.0)));
+    bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 9 || abs(at) * length(way) < real(1.0)));
     bool settled = polishes == 0 || !(abs(height.hi) < real(1.0));
     step = !found ? RTG_SEARCH : settled ? RTG_DONE : RTG_POLISH;
     if (step == RTG_POLISH)
@@ -189,7 +185,7 @@ RTG_FN bool MeetSweep(
       gradient = Multiply(near.origin, weights);
       MeetOneOfSweep(near.origin.hi, d, way, growth, weights.hi, side, rate, bend);
       rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
-      at = bend > real(0.0) && abs(rate) < real(0.01) * bend / (real(1.0) + length(way)) ? rate / bend : real(0.0);
+      at = bend > real(0.0) && abs(rate) < real(0.2) * bend / (real(1.0) + length(way)) ? rate / bend : real(0.0);
       --polishes;
     }
   }
@@ -269,10 +265,8 @@ RTG_FN void SweptEllipsoidBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OU
   real3 x = real3(real(1.0), real(0.0), real(0.0));
   real3 y = real3(real(0.0), real(1.0), real(0.0));
   real3 z = real3(real(0.0), real(0.0), real(1.0));
-  lower = glyph.centre +
-    (glyph.centreLow - real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)));
-  upper =
-    glyph.centre + (glyph.centreLow + real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
+  lower = glyph.centre + (glyph.centreLow - real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)));
+  upper = glyph.centre + (glyph.centreLow + real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
 }
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "RayTracedSurfaceGatherer.h"
 #include "RayTracedTubeBuilder.h"
+#include "vtkMath.h"
 #include "vtkRayTracedTubeMapper.h"
 
 #include <cmath>
@@ -28,7 +29,7 @@ rtglyphs::GlyphSettings rtglyphs::TubeContent::GetSizes(vtkPolyData* lines, doub
   tubes.RadiusArray = this->RadiusArray;
   if (vtkDataArray* radii = rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, tubes, ofCells))
   {
-    if (ofCells)
+    if (ofCells || radii->GetNumberOfComponents() > 3)
     {
       settings.ScaleFactor *= this->LargestOf(radii);
     }
@@ -50,7 +51,16 @@ double rtglyphs::TubeContent::LargestOf(vtkDataArray* radii)
     this->Radii = radii;
     this->RadiiTime = radii->GetMTime();
     this->LargestRadius = rtglyphs::RayTracedParallel::Largest(radii->GetNumberOfTuples(),
-      [radii](vtkIdType i) { return std::isfinite(radii->GetComponent(i, 0)) ? radii->GetComponent(i, 0) : 0.0; });
+      [radii](vtkIdType i)
+      {
+        const int components = radii->GetNumberOfComponents();
+        double tuple[9];
+        radii->GetTuple(i, tuple);
+        // No half-axis is larger than the fourth root of a matrix's sum of squares, of which six numbers have half.
+        const double norm = components == 1 ? tuple[0] : vtkMath::Norm(tuple, components);
+        const double radius = components > 3 ? std::sqrt(std::sqrt(2.0) * norm) : norm;
+        return std::isfinite(radius) ? radius : 0.0;
+      });
   }
   return this->LargestRadius;
 }

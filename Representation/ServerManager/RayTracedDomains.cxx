@@ -174,7 +174,8 @@ private:
       array = array ? array : data->GetCellDataInformation()->GetArrayInformation(name);
     }
     const double* range = array ? array->GetComponentFiniteRange(array->GetNumberOfComponents() > 1 ? -1 : 0) : nullptr;
-    const double largest = range ? std::max(std::abs(range[0]), std::abs(range[1])) : 1.0;
+    double largest = range ? std::max(std::abs(range[0]), std::abs(range[1])) : 1.0;
+    largest = range && array->GetNumberOfComponents() > 3 ? std::sqrt(largest) : largest; // of covariances
     if (array || !data)
     {
       return rtg::IsPositive(largest) ? largest : 1.0;

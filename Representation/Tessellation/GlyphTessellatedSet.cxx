@@ -351,9 +351,9 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       break;
     default:
       messages.push_back(
-        "Glyphs of the shapes Spherical Harmonics, Normal Stress and Fourth-Order Tensor are left out of the "
-        "exported file, because they have no triangles. Choose another GlyphShape, or save a "
-        "screenshot.");
+        "Glyphs of the shapes Spherical Harmonics, Normal Stress and Fourth-Order Tensor and tubes of covariances are "
+        "left out of the exported file, because they have no triangles. Choose another GlyphShape or TubeRadiusArray, "
+        "or save a screenshot.");
   }
   const auto empty = [](const rtglyphs::GlyphTessellatedPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());

@@ -2,9 +2,11 @@
 
 #include "Finite.h"
 #include "GlyphPlacement.h"
+#include "GlyphTensors.h"
 #include "RayTracedArrays.h"
 #include "RayTracedBlocks.h"
 #include "RayTracedParallel.h"
+#include "SweptEllipsoid.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -57,6 +59,10 @@ public:
   rtglyphs::RayTracedTubeBuilder::Result Build()
   {
     this->FindPlaces();
+    if (this->Radii && this->Radii->GetNumberOfComponents() > 3)
+    {
+      this->FindEllipsoids();
+    }
     this->FindPieces();
     this->Place();
     this->ReportMessages();
@@ -101,9 +107,40 @@ private:
       });
   }
 
+  // Of the covariances in the world, and their largest half-axes: negative if a matrix has no root.
+  void FindEllipsoids()
+  {
+    constexpr double rounding = 1e-6;
+    const rtglyphs::GlyphTensors::Order order(this->Radii, rtglyphs::GlyphTensors::VTK_ORDER);
+    const glm::dmat3 linear = this->How.Radius * this->Placement.Linear;
+    this->Ellipsoids.resize(this->Radii->GetNumberOfTuples());
+    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Ellipsoids.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          double tuple[9];
+          this->Radii->GetTuple(i, tuple);
+          const glm::dmat3 m = linear * order(tuple).Matrix() * glm::transpose(linear);
+          const rtg::SymmetricTensor matrix{ m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
+          double radius = HUGE_VAL;
+          if (matrix.IsFinite())
+          {
+            const glm::dvec3 values = rtg::Decompose(matrix).values;
+            radius = values[2] < -rounding * std::abs(values[0]) ? -1.0 : std::sqrt(std::max(values[0], 0.0));
+          }
+          this->Ellipsoids[i] = { matrix, radius };
+        }
+      });
+  }
+
   double Radius(vtkIdType point, vtkIdType cell) const
   {
     const vtkIdType tuple = this->RadiiOfCells ? cell : point;
+    if (!this->Ellipsoids.empty())
+    {
+      return this->Ellipsoids[tuple].second;
+    }
     double value[3] = { 1.0, 0.0, 0.0 };
     if (this->Radii)
     {
@@ -159,11 +196,11 @@ private:
     }
     const bool closed = this->Line.size() > 2 && this->Line.front() >= 0 && this->Line.back() >= 0 &&
       this->Places[this->Line.front()] == this->Places[this->Line.back()];
-    if (this->How.FlatEnds)
+    if (this->How.FlatEnds && this->Ellipsoids.empty())
     {
       this->StraightenEnds(cell, closed);
     }
-    if (!this->Motion.On())
+    if (!this->Motion.On() && this->Ellipsoids.empty())
     {
       this->Thin(cell);
     }
@@ -289,13 +326,15 @@ private:
   {
     rtg::GlyphInstances& all = this->Out.Instances;
     const std::size_t count = this->Pieces.size();
-    all.shape = rtg::Shape::RoundCone;
+    const bool swept = !this->Ellipsoids.empty();
+    all.shape = swept ? rtg::Shape::SweptEllipsoid : rtg::Shape::RoundCone;
     all.centres.resize(count);
     all.sizes3.resize(count);
     all.rotations.resize(count);
-    const bool ends = this->How.FlatEnds || this->How.Joined;
+    const bool ends = swept || this->How.FlatEnds || this->How.Joined;
     all.before.resize(ends ? count : 0);
     all.after.resize(ends ? count : 0);
+    all.exponents3.resize(swept ? count : 0);
     this->Out.Cells.resize(count);
     this->Out.Ends.resize(count);
     rtg::GlyphMotion ofPoints;
@@ -308,7 +347,7 @@ private:
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          this->PlacePiece(i);
+          this->Ellipsoids.empty() ? this->PlacePiece(i) : this->PlaceSweep(i);
           this->MovePiece(i, ofPoints);
         }
       });
@@ -347,6 +386,17 @@ private:
       all.before[i] = joint(piece.Beyond[0]);
       all.after[i] = joint(piece.Beyond[1]);
     }
+    this->Out.Cells[i] = piece.Cell;
+    this->Out.Ends[i] = piece.Ends;
+  }
+
+  void PlaceSweep(vtkIdType i)
+  {
+    const Piece& piece = this->Pieces[i];
+    const auto end = [&](vtkIdType point) {
+      return rtg::SweepEnd{ this->Places[point], this->Ellipsoids[this->RadiiOfCells ? piece.Cell : point].first };
+    };
+    rtg::StoreSweep(end(piece.Ends[0]), end(piece.Ends[1]), i, this->Out.Instances);
     this->Out.Cells[i] = piece.Cell;
     this->Out.Ends[i] = piece.Ends;
   }
@@ -419,11 +469,12 @@ private:
     if (!rtglyphs::RayTracedArrays::IsNone(this->How.RadiusArray) && !this->Radii && !this->RankLacksRadii)
     {
       this->Out.Messages.push_back("There is no array '" + this->How.RadiusArray +
-        "' of one to three components that has a value for each point or cell of the lines, so all tubes have the "
+        "' of one to three, six or nine components that has a value for each point or cell of the lines, so all tubes "
+        "have the "
         "radius "
         "TubeRadius. Choose a point or cell array as TubeRadiusArray.");
     }
-    if (!this->Placement.Uniform)
+    if (!this->Placement.Uniform && this->Ellipsoids.empty())
     {
       this->Out.Messages.emplace_back("The display is scaled differently along its axes, which tubes can follow only "
                                       "approximately: they stay round. Transform the data instead, or use one scale.");
@@ -433,8 +484,9 @@ private:
     {
       this->Out.Messages.push_back(std::to_string(this->Out.Bad) + " of " +
         std::to_string(this->Out.Bad + this->Out.Empty + shown) +
-        " pieces of lines are not shown: an end's position, motion or radius is not finite, a radius is negative, or "
-        "the line has no two different points. Remove these points or cells, for example with Threshold.");
+        " pieces of lines are not shown: an end's position, motion or radius is not finite, a radius or an eigenvalue "
+        "of a covariance is negative, or the line has no two different points. Remove these points or cells, for "
+        "example with Threshold.");
     }
     else if (shown == 0 && this->Out.Empty > 0)
     {
@@ -462,7 +514,8 @@ private:
   double Factor = 1.0; // of radii
   double Extent = 0.0; // of places
   std::vector<glm::dvec3> Places;
-  std::vector<vtkIdType> Line; // points of the current line; freeEnd: a bad one
+  std::vector<std::pair<rtg::SymmetricTensor, double>> Ellipsoids; // of points, or cells; none: tubes are round
+  std::vector<vtkIdType> Line;                                     // points of the current line; freeEnd: a bad one
   std::vector<Piece> Pieces;
   rtglyphs::RayTracedTubeBuilder::Result Out;
 };
@@ -490,7 +543,11 @@ vtkDataArray* rtglyphs::RayTracedTubeBuilder::RadiusArray(vtkPolyData* lines, co
     return nullptr;
   }
   const auto fits = [](vtkDataArray* array, vtkIdType count)
-  { return array && array->GetNumberOfComponents() <= 3 && array->GetNumberOfTuples() == count ? array : nullptr; };
+  {
+    const int components = array ? array->GetNumberOfComponents() : 0;
+    const bool known = (components >= 1 && components <= 3) || components == 6 || components == 9;
+    return known && array->GetNumberOfTuples() == count ? array : nullptr;
+  };
   vtkDataArray* found = fits(lines->GetPointData()->GetArray(settings.RadiusArray.c_str()), lines->GetNumberOfPoints());
   if (!found)
   {

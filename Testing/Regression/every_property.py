@@ -300,6 +300,8 @@ ROWS = [
     # Tubes
     Row("TubeRadius", 0.25, area(DISC / 4.0)),
     Row("TubeRadiusArray", "half", area(DISC / 4.0)),
+    # A disc's variances are a half: of half-axes of a half
+    Row("TubeRadiusArray", "disc", area(DISC / 2.0)),
     Row("TubeEnds", "Flat", area(0.5), scene="coarse"),
     # Directions: tubes, and what TURNED turns
     Row("GlyphDirectionColoring", "Axes", colors(GREEN), kinds=[TUBES], GlyphDirectionKey="None"),

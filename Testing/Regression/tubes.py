@@ -202,6 +202,45 @@ def translucent(view, checks):
     stage.close()
 
 
+def outline(points, matrices, x, y):
+    """How deep lines along z go into the ellipsoids that sweep a line (1: they touch), at each x, y: by many of them."""
+    least = numpy.full(x.shape, numpy.inf)
+    for first, last, a, b in zip(points, points[1:], matrices, matrices[1:]):
+        for part in numpy.linspace(0.0, 1.0, 801):
+            middle, matrix = first + part * (last - first), numpy.linalg.inv((a + part * (b - a))[:2, :2])
+            dx, dy = x - middle[0], y - middle[1]
+            least = numpy.minimum(least, matrix[0, 0] * dx * dx + 2.0 * matrix[0, 1] * dx * dy + matrix[1, 1] * dy * dy)
+    return least
+
+
+def covariances(view, checks):
+    """Tensors sweep ellipsoids along the line: those of spheres are round tubes, others have the outline of their covariances."""
+    points = numpy.array([(-1.5, -0.5, 0.3), (-0.6, 0.4, -0.2), (0.5, 0.5, 0.0), (1.4, -0.6, 0.4)])
+    turns = [numpy.linalg.qr(numpy.random.default_rng(seed).normal(size=(3, 3)))[0] for seed in range(4)]
+    diagonals = numpy.array([(1.0, 0.2, 0.05), (0.1, 1.0, 0.3), (0.02, 0.02, 1.0), (1.0, 0.0, 0.3)])
+    matrices = numpy.array([turn @ numpy.diag(diagonal) @ turn.T for turn, diagonal in zip(turns, diagonals)])
+    ball = numpy.tile(numpy.eye(3).ravel(), (4, 1))
+    data = line_data([points], ball=ball, nine=matrices.reshape(4, 9), six=matrices[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]])
+    stage, pictures = session.Stage(view, TUBES), {}
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+    shown = stage.show(data, TubeRadius=0.3, SamplesPerPixel=1)
+    for array in ("None", "ball", "nine", "six"):
+        shown.TubeRadiusArray, shown.TubeRadius = array, 0.3
+        pictures[array] = session.capture(view, "tubes-covariances-" + array)
+    checks.picture("covariances of spheres", pictures["ball"], pictures["None"], pixels=0.0002, mean=0.2)
+    checks.equal("pixels that six and nine components have otherwise", int((pictures["six"] != pictures["nine"]).any(axis=2).sum()), 0)
+    rows, columns = pictures["nine"].shape[:2]
+    y, x = numpy.mgrid[0:rows, 0:columns]
+    depth = outline(points, 0.09 * matrices, (x + 0.5 - columns / 2.0) * 3.0 / rows, (rows / 2.0 - y - 0.5) * 3.0 / rows)
+    sure = numpy.abs(depth - 1.0) > 2e-3
+    wrong = int((comparison.covered(pictures["nine"]) != (depth < 1.0))[sure].sum())
+    print("covariances: %d of %d pixels are wrong, %d next to the outline are not judged" % (wrong, sure.sum(), (~sure).sum()))
+    checks.equal("covariances: wrong pixels", wrong, 0)
+    checks.within("covariances: pixels not judged", int((~sure).sum()), 0, 200)
+    checks.within("covariances: covered pixels", int((depth < 1.0).sum()), 9000, 10 ** 6)
+    stage.close()
+
+
 def blocks(view, checks):
     """Blocks have colors of their own; ghost lines, which another rank shows, and points that no line has are left out."""
     parts = vtkMultiBlockDataSet()
@@ -278,6 +317,10 @@ def bad_input(view, checks):
         ("NaN radius", line_data([good], radius=numpy.array([1.0, 1.0, numpy.nan])), radii, ("1 of 2 pieces",), True),
         ("missing radii", line_data([good]), radii, ("'radius'", "TubeRadiusArray"), True),
         ("negative radius", line_data([good], radius=numpy.array([1.0, 1.0, -1.0])), radii, ("1 of 2 pieces", "negative"), True),
+        ("negative variance", line_data([good], radius=numpy.array([[1.0, 1.0, 1.0, 0.0, 0.0, 0.0]] * 2 + [[1.0, -1.0, 1.0, 0.0, 0.0, 0.0]])), radii,
+         ("1 of 2 pieces", "covariance"), True),
+        ("NaN variance", line_data([good], radius=numpy.array([[1.0] * 3 + [0.0] * 3] * 2 + [[numpy.nan] * 6])), radii, ("1 of 2 pieces",), True),
+        ("only zero variances", line_data([good], radius=numpy.zeros((3, 9))), radii, ("radii are zero",), False),
         ("no lines", polygons, {}, ("no lines",), False),
         ("no points", vtkPolyData(), {}, (), False),
         ("missing color", line_data([good]), {"ColorArrayName": ["POINTS", "nonesuch"]}, ("nonesuch",), True),
@@ -309,7 +352,7 @@ def main():
     session.load()
     checks = Checks()
     view = session.view()
-    for part in (like_tube_filter, dense, directions, picking, translucent, blocks, default_radius, bounds, bad_input):
+    for part in (like_tube_filter, dense, directions, picking, translucent, covariances, blocks, default_radius, bounds, bad_input):
         part(view, checks)
     checks.report()
 
