@@ -185,6 +185,12 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   {
     CheckPolynomials(instances, most);
   }
+  if (instances.shape == Shape::SweptEllipsoid &&
+    (instances.sizes3.empty() || instances.rotations.empty() || instances.exponents3.empty() ||
+      instances.before.empty() || instances.after.empty()))
+  {
+    Fail("swept ellipsoids lack some of their arrays; fill them with StoreSweep().");
+  }
   CheckSizes(instances);
   if (HasExponents(instances.shape))
   {

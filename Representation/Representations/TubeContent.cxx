@@ -56,7 +56,7 @@ double rtglyphs::TubeContent::LargestOf(vtkDataArray* radii)
         const int components = radii->GetNumberOfComponents();
         double tuple[9];
         radii->GetTuple(i, tuple);
-        // No half-axis is larger than the fourth root of a matrix's sum of squares, of which six numbers have half.
+        // No eigenvalue is larger than the root of a matrix's sum of squares, of which six numbers have at least half.
         const double norm = components == 1 ? tuple[0] : vtkMath::Norm(tuple, components);
         const double radius = components > 3 ? std::sqrt(std::sqrt(2.0) * norm) : norm;
         return std::isfinite(radius) ? radius : 0.0;

@@ -6,8 +6,10 @@
  * whose first point is also its last one has no ends. Points nearer to a flat end than their radius are left out, so
  * that the line is straight there: the balls round them would stick out.
  *
+ * With covariances as radii each piece is a swept ellipsoid (Kernels/Shapes/SweptEllipsoid.glsl), whose ends are round.
+ *
  * Left out and counted are lines without two different points, and pieces with an end whose position, motion or radius
- * is not finite, or whose radius is negative, or with radii of zero at both ends.
+ * is not finite, or whose radius or an eigenvalue of whose covariance is negative, or with radii of zero at both ends.
  */
 #ifndef RayTracedTubeBuilder_h
 #define RayTracedTubeBuilder_h
@@ -34,9 +36,10 @@ public:
   struct Settings
   {
     double Radius = 1.0;     // world units
-    std::string RadiusArray; // of points, or else of cells, times Radius; empty or "None": none
+    // Of points, or else of cells, times Radius; covariances times its square; empty or "None": none.
+    std::string RadiusArray;
     bool FlatEnds = false;
-    bool Joined = false; // no surface is left inside a line, as translucent ones show
+    bool Joined = false; // no surface is left inside a line of round pieces, as translucent ones show
     GlyphMotion::Settings Motion;
 
     bool operator==(const Settings&) const = default;

@@ -125,6 +125,7 @@ TEST_F(TracerTest, GlyphsThatAreNoneAreNamed)
   rtg::TriangleMesh mesh = BoxMesh();
   mesh.positions[3].z = NAN;
   names("positions of the mesh is", [&](auto& i) { i.shape = Shape::Mesh, i.mesh = Share(mesh); });
+  names("swept ellipsoids lack", [](auto& i) { i.shape = Shape::SweptEllipsoid; });
   // These are glyphs: what mirrors, a piece of a line that ends in a point, and exponents of shapes that have none.
   EXPECT_EQ(message([](auto& i) { i.shape = Shape::Mesh, i.mesh = Share(BoxMesh()), i.uniformSize = -1.0f; }), "");
   EXPECT_EQ(message([](auto& i) { i.shape = Shape::RoundCone, i.sizes3.resize(4, { 1.0f, 1.0f, 0.0f }); }), "");

@@ -6,6 +6,7 @@
 #include "FormExtents.h"
 #include "HarmonicForms.h"
 #include "Scene.h"
+#include "SweptEllipsoid.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
@@ -99,6 +100,19 @@ rtg::GlyphInstances MakeInstances(const Subject& subject, bool moves)
       instances.polynomialDegree = degree;
       instances.polynomials.width = values.size();
       instances.polynomials.values.insert(instances.polynomials.values.end(), values.begin(), values.end());
+    }
+    if (subject.shape == rtg::Shape::SweptEllipsoid)
+    {
+      instances.before.emplace_back();
+      instances.after.emplace_back();
+      const auto end = [&](float side)
+      {
+        const glm::dvec3 squares(random.Vector(4.0f, 36.0f));
+        return rtg::SweepEnd{ glm::dvec3(instances.centres[i] + side * random.Vector(1.0f, 9.0f)),
+          { squares.x, squares.y, squares.z, random.Uniform(-1.5f, 1.5f), 0.0, 1.0 } };
+      };
+      const rtg::SweepEnd first = end(-1.0f);
+      rtg::StoreSweep(first, end(1.0f), i, instances);
     }
     if (subject.translucent)
     {
