@@ -35,7 +35,7 @@ class RayTracedTubeBuilder
 public:
   struct Settings
   {
-    double Radius = 1.0;     // world units
+    double Radius = 1.0; // world units
     // Of points, or else of cells, times Radius; covariances times its square; empty or "None": none.
     std::string RadiusArray;
     bool FlatEnds = false;
