@@ -13,7 +13,8 @@ namespace rtglyphs::GlyphJoinedArrays
 {
 /**
  * Adds a point array of that name with all components of its parts, one after another, where each part is a point array
- * and there is none of that name yet. Parts of different types make an array of doubles.
+ * and there is none of that name yet. Parts of different types make an array of doubles. Or one of the radii of
+ * atomic numbers (GlyphArrayRoles::vanDerWaals).
  */
 void Add(vtkPolyData* points, const std::string& name);
 }

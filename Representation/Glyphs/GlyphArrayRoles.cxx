@@ -28,6 +28,7 @@ constexpr int tensor = 60; // the name of one
 // Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS, EXPONENTS
 const Meaning meanings[] = {
   { { "colo*", "rgb*", "rgba", "texture*", "tcoord*", "normalmap" }, {} },
+  { { "imag*", "error*", "std", "residual*", "uncertain*" }, { 10, 10, 10, 10, 0, 20, 20, 0 } }, // beside a quantity
   { { "blockiness*", "exponent*", "roundness*", " block" }, { 0, 0, 0, 0, 0, 0, 0, 80 } },
   { { "radius*", "radii", "rvir" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
   { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0, 0 }, 1.0 },
@@ -407,6 +408,14 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
     if (number.IsWhole)
     {
       columns.Whole.insert(number.Name);
+    }
+    const Words words = WordsOf(number.Name);
+    if (words.size() == 2 && words[0] == "atomic" && (words[1] == "number" || words[1] == "numbers"))
+    {
+      Array radii;
+      radii.Name = vanDerWaals + number.Name;
+      radii.Columns = "radius";
+      columns.Joined.push_back(radii);
     }
   }
   for (const Words& index : indices)

@@ -98,6 +98,12 @@ bool IsUnit(const Array& array)
   return array.Components > 1 && std::abs(array.Least - 1.0) < 1e-3 && std::abs(array.Largest - 1.0) < 1e-3;
 }
 
+// Three bytes or more are a color, not a magnitude that a table maps.
+bool AreColors(const Array& array)
+{
+  return array.IsColor && array.IsWhole && array.Components > 2;
+}
+
 // Whether an array, if there is one, has a range of colors, unlike a load that is still zero.
 bool HasRange(vtkSMProxy* glyphs, const std::string& name)
 {
@@ -106,7 +112,7 @@ bool HasRange(vtkSMProxy* glyphs, const std::string& name)
     [&](const Array& array) { return array.Name == name && array.IsKnown() && array.Least == array.Largest; });
 }
 
-// The glyphs' direction, else the size, else the array with the best score. Empty: none, or the direction is several
+// The glyphs' direction, else the size, else colors, else the array with the best score. Empty: none, or the direction is several
 // arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
@@ -129,15 +135,20 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   const bool directed = shape == Shapes::SPLIT_VECTOR || Shapes::IsUncertain(shape) ||
     (arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
-  const std::string size =
+  std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
+  size = size.starts_with(vanDerWaals) ? size.substr(vanDerWaals.size()) : size; // elements, which have colors
   const bool unit = std::any_of(
     arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction && IsUnit(array); });
   if (unit || (direction.find(", ") != std::string::npos && !isListed(direction, false)))
   {
     return {};
   }
-  return isListed(direction, false) ? direction : isListed(size, true) ? size : domain->ChooseFor(LENGTH, arrays).Name;
+  const auto colors = std::find_if(arrays.begin(), arrays.end(), AreColors);
+  return isListed(direction, false) ? direction
+    : isListed(size, true)          ? size
+    : colors != arrays.end()        ? colors->Name
+                                    : domain->ChooseFor(LENGTH, arrays).Name;
 }
 }
 
@@ -145,6 +156,7 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  this->Begun = true;
   const std::string setting =
     std::string(".") + display->GetXMLGroup() + "." + display->GetXMLName() + ".ColorArrayName";
   const std::string found = ColorArrayOf(display);
@@ -205,6 +217,22 @@ void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string
 }
 
 //----------------------------------------------------------------------------
+void rtglyphs::RayTracedColoring::FollowBytes(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  const std::string shown = ColorArrayOf(display);
+  const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+  const bool bytes = std::any_of(arrays.begin(), arrays.end(),
+    [&](const Array& array) { return array.Name == shown && AreColors(array); });
+  if (std::exchange(this->Bytes, bytes) != bytes)
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    vtkSMPropertyHelper(display, "MapScalars").Set(bytes ? 0 : 1);
+    display->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
@@ -215,6 +243,10 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   {
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
     this->Wanted = false;
+  }
+  if (window && this->Begun)
+  {
+    this->FollowBytes(glyphs);
   }
   if (window && std::exchange(this->Replaced, false))
   {
