@@ -19,6 +19,7 @@ struct Meaning
   Words Names;                             // words that begin so where they end with *; " word": the only word
   std::array<int, NUMBER_OF_ROLES> Scores; // 0: never in this role
   double Diameters = 0.0;
+  bool Decades = false; // values of many powers of ten are usual
 };
 
 constexpr int active = 45; // ParaView's attribute
@@ -55,6 +56,8 @@ const Meaning meanings[] = {
     { 50, 50, 22, 50, 0, tensor, 0, 0 } },
   { { "pressure*" }, { 20, 20, 20, 20, 0, tensor, 0, 0 } },
   { { "normal*" }, { 7, 7, 0, 7, 0, 0, 0, 0 } },
+  { { "mass*", "mvir", "dens*", "energ*", "edep", "lumin*", "viscos*", "resistiv*", "concentr*", "dissip*" },
+    { 20, 20, 20, 20, 0, 20, 20, 0 }, 0.0, true },
 };
 const Meaning unnamed = { {}, { 20, 20, 20, 20, 1, 20, 20, 0 } };
 
@@ -394,6 +397,12 @@ Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& ar
 bool rtglyphs::GlyphArrayRoles::IsSize(const std::string& name)
 {
   return MeaningOf(name, 1).Scores[SIZE] >= 70;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphArrayRoles::IsOverDecades(const Array& array)
+{
+  return MeaningOf(array).Decades && array.Components == 1 && array.Least > 0.0 && array.Largest > 1e3 * array.Least;
 }
 
 //----------------------------------------------------------------------------

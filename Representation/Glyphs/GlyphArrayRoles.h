@@ -71,6 +71,11 @@ std::vector<Array> Join(const std::vector<Array>& numbers, bool plane);
 bool IsSize(const std::string& name);
 
 /**
+ * Whether colors of the array need a logarithmic scale: by its name, and values over more than three powers of ten.
+ */
+bool IsOverDecades(const Array& array);
+
+/**
  * Factor from a size of that name to a diameter: 2 for a radius, 1 for a diameter. 0: the name is not that
  * of an exact size.
  */

@@ -15,6 +15,7 @@
 #include "vtkSMSettings.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,8 +113,8 @@ bool HasRange(vtkSMProxy* glyphs, const std::string& name)
     [&](const Array& array) { return array.Name == name && array.IsKnown() && array.Least == array.Largest; });
 }
 
-// The glyphs' direction, else the size, else colors, else the array with the best score. Empty: none, or the direction is several
-// arrays, or has unit length.
+// The glyphs' direction, else the size, else colors, else the array with the best score. Empty: none, or the direction
+// is several arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
@@ -222,8 +223,8 @@ void rtglyphs::RayTracedColoring::FollowBytes(vtkSMProxy* glyphs)
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   const std::string shown = ColorArrayOf(display);
   const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
-  const bool bytes = std::any_of(arrays.begin(), arrays.end(),
-    [&](const Array& array) { return array.Name == shown && AreColors(array); });
+  const bool bytes = std::any_of(
+    arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == shown && AreColors(array); });
   if (std::exchange(this->Bytes, bytes) != bytes)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
@@ -293,6 +294,17 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
       .arg("attribute_type", association);
     colored->SetScalarColoring(array.c_str(), association);
     colored->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
+    const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+    vtkSMProxy* table = vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
+    if (table &&
+      std::any_of(
+        arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == array && IsOverDecades(one); }))
+    {
+      SM_SCOPED_TRACE(PropertiesModified).arg("proxy", table);
+      vtkSMTransferFunctionProxy::MapControlPointsToLogSpace(table);
+      vtkSMPropertyHelper(table, "UseLogScale").Set(1);
+      table->UpdateVTKObjects();
+    }
   }
   display->UpdateVTKObjects();
   this->Choosing = false;

@@ -239,6 +239,7 @@ class Row:
         found = shown.ColorArrayName.GetArrayName() if coloring == "None" else coloring
         checks.equal(self.name + ": color", found, self.color)
         checks.equal(self.name + ": MapScalars", shown.MapScalars, int(self.color not in ("rgb_colors", "Colour")))
+        checks.equal(self.name + ": colors by a logarithm", int(coloring == "None" and pv.GetColorTransferFunction(found).UseLogScale), int(found == "masses"))
         checks.true("%s: the section Coloring has %s" % (self.name, shown.ColorArrayName.GetArrayName()),
                     coloring == "None" or not shown.ColorArrayName.GetArrayName())
         if self.glyphs is not None:
@@ -328,6 +329,7 @@ ROWS = (
                                                        "anisotropy may pass 1", ), GlyphShape="Tensor Superquadric"),
     Row("OOMMF, directions of magnetization", lambda: vti("spins.vti", (8, 8, 1), m=unit(64, 3)), {DIRECTION: "m"}, "Axes", 64, ("Direction by m", "Color by direction")),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
+    Row("N-body, masses", lambda: legacy("nbody.vtk", PLACES, masses=10.0**RANDOM.uniform(4.0, 12.0, 300)), {SIZE: "None"}, "masses", 300),
     Row("laser scan", lambda: vtp("scan.vtp", PLACES, Intensity=RANDOM.integers(0, 65535, 300), Colour=RANDOM.integers(0, 255, (300, 3)).astype(numpy.uint8)),
         {SIZE: "None"}, "Colour", 300, ("Color by Colour: what the glyphs show", )),
     Row("XYZ, Molecule To Lines", molecule, {SIZE: "Van der Waals radii of Atomic Numbers"}, "Atomic Numbers", 6,
