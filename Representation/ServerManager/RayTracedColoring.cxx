@@ -218,14 +218,14 @@ void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedColoring::FollowBytes(vtkSMProxy* glyphs)
+void rtglyphs::RayTracedColoring::FollowBytes(vtkSMProxy* glyphs, bool window)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   const std::string shown = ColorArrayOf(display);
   const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
   const bool bytes = std::any_of(
     arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == shown && AreColors(array); });
-  if (std::exchange(this->Bytes, bytes) != bytes)
+  if (window && this->Begun && std::exchange(this->Bytes, bytes) != bytes)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     vtkSMPropertyHelper(display, "MapScalars").Set(bytes ? 0 : 1);
@@ -245,10 +245,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
     this->Wanted = false;
   }
-  if (window && this->Begun)
-  {
-    this->FollowBytes(glyphs);
-  }
+  this->FollowBytes(glyphs, window);
   if (window && std::exchange(this->Replaced, false))
   {
     UpdateBars(glyphs, view);
@@ -308,7 +305,8 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   display->UpdateVTKObjects();
   this->Choosing = false;
-  if (window)
+  this->FollowBytes(glyphs, window);
+  if (window && !this->Bytes) // a bar would show what no table maps
   {
     UpdateBars(glyphs, view);
   }

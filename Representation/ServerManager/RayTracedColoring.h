@@ -39,7 +39,7 @@ public:
 
 private:
   void TakeBack(vtkSMProxy* glyphs, const std::string& chosen);
-  void FollowBytes(vtkSMProxy* glyphs);
+  void FollowBytes(vtkSMProxy* glyphs, bool window);
 
   bool Wanted = false;   // ColorFromData, in a window
   bool Choosing = false; // by this class

@@ -331,7 +331,7 @@ ROWS = (
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
     Row("N-body, masses", lambda: legacy("nbody.vtk", PLACES, masses=10.0**RANDOM.uniform(4.0, 12.0, 300)), {SIZE: "None"}, "masses", 300),
     Row("laser scan", lambda: vtp("scan.vtp", PLACES, Intensity=RANDOM.integers(0, 65535, 300), Colour=RANDOM.integers(0, 255, (300, 3)).astype(numpy.uint8)),
-        {SIZE: "None"}, "Colour", 300, ("Color by Colour: what the glyphs show", )),
+        {}, "Colour", 300, ("Color by Colour: what the glyphs show", )),
     Row("XYZ, Molecule To Lines", molecule, {SIZE: "Van der Waals radii of Atomic Numbers"}, "Atomic Numbers", 6,
         ("Size by Van der Waals radii of Atomic Numbers", "Color by Atomic Numbers: what the glyphs show")),
 )
