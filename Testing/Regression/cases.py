@@ -478,8 +478,8 @@ ROWS = (
         {"SelectOrientationVectors": "None"}, glyphs=100, says=["SelectOrientationVectors", "direction"]),
     Row("positions beside vectors", lambda: session.poly_data(box(), xyz=box(), vectors_xyz=RANDOM.normal(size=(100, 3))), ARROWS,
         {"SelectOrientationVectors": "vectors_xyz", "SelectScaleArray": "vectors_xyz"}),
-    Row("modes of vibration", lambda: session.poly_data(box(), Mode_1_imag=1e-3 * RANDOM.normal(size=(100, 3)), Mode_1_real=RANDOM.normal(size=(100, 3)),
-                                                        Mode_0_error=RANDOM.normal(size=(100, 3))),
+    Row("modes of vibration", lambda: session.poly_data(
+        grid(4, 4, 4), Mode_1_imag=1e-3 * (grid(4, 4, 4) + 1.0), Mode_1_real=grid(4, 4, 4)[:, ::-1] - 1.0, Mode_0_error=grid(4, 4, 4) + 2.0),
         ARROWS, {"SelectOrientationVectors": "Mode_1_real", "SelectScaleArray": "Mode_1_real"}),
     # Bodies are turned by what turns them
     Row("bodies with quaternions", lambda: session.poly_data(
