@@ -1,6 +1,5 @@
 #include "GlyphJoinedArrays.h"
 
-#include "GlyphArrayRoles.h"
 #include "RayTracedParallel.h"
 #include "RayTracedArrays.h"
 #include "vtkDataArray.h"
@@ -64,8 +63,7 @@ void AddRadii(vtkPointData* data, const std::string& name, vtkDataArray* numbers
 void rtglyphs::GlyphJoinedArrays::Add(vtkPolyData* points, const std::string& name)
 {
   vtkPointData* data = points->GetPointData();
-  const std::string& radii = GlyphArrayRoles::vanDerWaals;
-  vtkDataArray* numbers = name.starts_with(radii) ? data->GetArray(name.c_str() + radii.size()) : nullptr;
+  vtkDataArray* numbers = name.starts_with(vanDerWaals) ? data->GetArray(name.c_str() + vanDerWaals.size()) : nullptr;
   if (numbers)
   {
     AddRadii(data, name, numbers);

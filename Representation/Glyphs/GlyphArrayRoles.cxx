@@ -1,5 +1,6 @@
 #include "GlyphArrayRoles.h"
 
+#include "GlyphJoinedArrays.h"
 #include "HarmonicForms.h"
 
 #include <algorithm>
@@ -422,7 +423,7 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
     if (words.size() == 2 && words[0] == "atomic" && (words[1] == "number" || words[1] == "numbers"))
     {
       Array radii;
-      radii.Name = vanDerWaals + number.Name;
+      radii.Name = rtglyphs::GlyphJoinedArrays::vanDerWaals + number.Name;
       radii.Columns = "radius";
       columns.Joined.push_back(radii);
     }

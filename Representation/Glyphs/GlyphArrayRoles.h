@@ -54,11 +54,6 @@ struct Choice
 Choice Choose(Role role, const std::vector<Array>& arrays, double spacing);
 
 /**
- * Begins the name of an array that is made of one of atomic numbers, whose name follows.
- */
-inline const std::string vanDerWaals = "Van der Waals radii of ";
-
-/**
  * Vectors, quaternions, tensors and exponents that tables have as columns, whose names differ in an index only: vx, vy
  * and vz, xvel, ..., u, v and w, Velocity:0, ..., quatw, quati, ... Their name is what properties call joined arrays,
  * with commas between. Of u and v alone only if the points lie in a plane. And radii of atomic numbers.

@@ -2,6 +2,7 @@
 
 #include "DataSummary.h"
 #include "DirectionColors.h"
+#include "GlyphJoinedArrays.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
 #include "vtkDataObject.h"
@@ -27,6 +28,7 @@ namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
 using Shapes = rtglyphs::GlyphShapes;
+using rtglyphs::GlyphJoinedArrays::vanDerWaals;
 
 constexpr double fewNegative = 0.1; // fraction of the tensors, as noise makes it
 
