@@ -3,6 +3,9 @@
 #include "RayTracedParallel.h"
 #include "RayTracedArrays.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPeriodicTable.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -38,12 +41,34 @@ std::vector<vtkDataArray*> Parts(vtkPointData* data, const std::string& name)
   }
   return parts.size() < 2 ? std::vector<vtkDataArray*>() : parts;
 }
+
+// Adds an array of the radii of elements; 0 where there is none of that number.
+void AddRadii(vtkPointData* data, const std::string& name, vtkDataArray* numbers)
+{
+  vtkNew<vtkPeriodicTable> elements;
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName(name.c_str());
+  radii->SetNumberOfTuples(numbers->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+  {
+    const double number = numbers->GetComponent(i, 0);
+    const bool known = number >= 1.0 && number < elements->GetNumberOfElements();
+    radii->SetValue(i, known ? elements->GetVDWRadius(static_cast<unsigned short>(number)) : 0.0f);
+  }
+  data->AddArray(radii);
+}
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphJoinedArrays::Add(vtkPolyData* points, const std::string& name)
 {
   vtkPointData* data = points->GetPointData();
+  vtkDataArray* numbers = name.starts_with(vanDerWaals) ? data->GetArray(name.c_str() + vanDerWaals.size()) : nullptr;
+  if (numbers)
+  {
+    AddRadii(data, name, numbers);
+    return;
+  }
   const std::vector<vtkDataArray*> arrays =
     data->HasArray(name.c_str()) ? std::vector<vtkDataArray*>() : Parts(data, name);
   if (arrays.empty())

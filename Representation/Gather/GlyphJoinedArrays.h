@@ -12,8 +12,14 @@ class vtkPolyData;
 namespace rtglyphs::GlyphJoinedArrays
 {
 /**
+ * Begins the name of an array that is made of one of atomic numbers, whose name follows.
+ */
+inline const std::string vanDerWaals = "Van der Waals radii of ";
+
+/**
  * Adds a point array of that name with all components of its parts, one after another, where each part is a point array
- * and there is none of that name yet. Parts of different types make an array of doubles.
+ * and there is none of that name yet. Parts of different types make an array of doubles. Or one of the radii of
+ * atomic numbers (vanDerWaals).
  */
 void Add(vtkPolyData* points, const std::string& name);
 }

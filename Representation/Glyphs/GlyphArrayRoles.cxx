@@ -1,5 +1,6 @@
 #include "GlyphArrayRoles.h"
 
+#include "GlyphJoinedArrays.h"
 #include "HarmonicForms.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ struct Meaning
   Words Names;                             // words that begin so where they end with *; " word": the only word
   std::array<int, NUMBER_OF_ROLES> Scores; // 0: never in this role
   double Diameters = 0.0;
+  bool Decades = false; // values of many powers of ten are usual
 };
 
 constexpr int active = 45; // ParaView's attribute
@@ -28,6 +30,7 @@ constexpr int tensor = 60; // the name of one
 // Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS, EXPONENTS
 const Meaning meanings[] = {
   { { "colo*", "rgb*", "rgba", "texture*", "tcoord*", "normalmap" }, {} },
+  { { "imag*", "error*", "std", "residual*", "uncertain*" }, { 10, 10, 10, 10, 0, 20, 20, 0 } }, // beside a quantity
   { { "blockiness*", "exponent*", "roundness*", " block" }, { 0, 0, 0, 0, 0, 0, 0, 80 } },
   { { "radius*", "radii", "rvir" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
   { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0, 0 }, 1.0 },
@@ -54,6 +57,8 @@ const Meaning meanings[] = {
     { 50, 50, 22, 50, 0, tensor, 0, 0 } },
   { { "pressure*" }, { 20, 20, 20, 20, 0, tensor, 0, 0 } },
   { { "normal*" }, { 7, 7, 0, 7, 0, 0, 0, 0 } },
+  { { "mass*", "mvir", "dens*", "energ*", "edep", "lumin*", "viscos*", "resistiv*", "concentr*", "dissip*" },
+    { 20, 20, 20, 20, 0, 20, 20, 0 }, 0.0, true },
 };
 const Meaning unnamed = { {}, { 20, 20, 20, 20, 1, 20, 20, 0 } };
 
@@ -396,6 +401,12 @@ bool rtglyphs::GlyphArrayRoles::IsSize(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
+bool rtglyphs::GlyphArrayRoles::IsOverDecades(const Array& array)
+{
+  return MeaningOf(array).Decades && array.Components == 1 && array.Least > 0.0 && array.Largest > 1e3 * array.Least;
+}
+
+//----------------------------------------------------------------------------
 std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& numbers, bool plane)
 {
   static const std::vector<Words> indices = Indices();
@@ -407,6 +418,14 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
     if (number.IsWhole)
     {
       columns.Whole.insert(number.Name);
+    }
+    const Words words = WordsOf(number.Name);
+    if (words.size() == 2 && words[0] == "atomic" && (words[1] == "number" || words[1] == "numbers"))
+    {
+      Array radii;
+      radii.Name = rtglyphs::GlyphJoinedArrays::vanDerWaals + number.Name;
+      radii.Columns = "radius";
+      columns.Joined.push_back(radii);
     }
   }
   for (const Words& index : indices)

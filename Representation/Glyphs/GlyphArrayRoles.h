@@ -56,7 +56,7 @@ Choice Choose(Role role, const std::vector<Array>& arrays, double spacing);
 /**
  * Vectors, quaternions, tensors and exponents that tables have as columns, whose names differ in an index only: vx, vy
  * and vz, xvel, ..., u, v and w, Velocity:0, ..., quatw, quati, ... Their name is what properties call joined arrays,
- * with commas between. Of u and v alone only if the points lie in a plane.
+ * with commas between. Of u and v alone only if the points lie in a plane. And radii of atomic numbers.
  */
 std::vector<Array> Join(const std::vector<Array>& numbers, bool plane);
 
@@ -64,6 +64,11 @@ std::vector<Array> Join(const std::vector<Array>& numbers, bool plane);
  * Whether the name is that of a size.
  */
 bool IsSize(const std::string& name);
+
+/**
+ * Whether colors of the array need a logarithmic scale: by its name, and values over more than three powers of ten.
+ */
+bool IsOverDecades(const Array& array);
 
 /**
  * Factor from a size of that name to a diameter: 2 for a radius, 1 for a diameter. 0: the name is not that

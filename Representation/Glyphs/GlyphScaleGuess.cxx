@@ -24,7 +24,9 @@ constexpr double seen = 1.0 / 80.0;         // of others: a dozen pixels
 constexpr double coincident = 1e-6;         // at the same place, but for rounding
 constexpr double flat = 1e-3;               // along an axis that the data do not fill
 ///@}
-constexpr double graded = 2.5; // points are this much closer than in most of the space, where the mesh is graded
+// Ratios of the distances in most of the space and of most points: more than in any random points, and of a graded
+// mesh.
+constexpr double random = 2.5, graded = 10.0;
 constexpr double specks = 0.1; // size of spheres that are far apart, as a fraction of the distance between neighbors
 constexpr double mostNeighbors = 10.0; // size of spheres in another unit than their places, the same
 constexpr double leastArea = 0.25;     // of all glyphs, as a fraction of that of as many of the typical size
@@ -120,9 +122,11 @@ Extents Measure(const Points& points, bool rough)
   nearest.erase(std::remove(nearest.begin(), nearest.end(), HUGE_VAL), nearest.end());
   if (!nearest.empty())
   {
-    const double ofSpace = std::sqrt(MedianOfSpace(nearest, axes));
-    extents.Neighbors = std::sqrt(Quantile(nearest, 0.5));
-    extents.Neighbors = ofSpace > graded * extents.Neighbors ? ofSpace : extents.Neighbors;
+    // From the one to the other without a jump, so that meshes that are nearly alike have nearly the same size.
+    const double ofPoints = std::sqrt(Quantile(nearest, 0.5));
+    const double ratio = std::sqrt(MedianOfSpace(nearest, axes)) / ofPoints;
+    extents.Neighbors =
+      ofPoints * std::pow(ratio, std::clamp(std::log(ratio / random) / std::log(graded / random), 0.0, 1.0));
   }
   return extents;
 }

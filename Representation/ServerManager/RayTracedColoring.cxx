@@ -2,6 +2,7 @@
 
 #include "DataSummary.h"
 #include "DirectionColors.h"
+#include "GlyphJoinedArrays.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
 #include "vtkDataObject.h"
@@ -15,6 +16,7 @@
 #include "vtkSMSettings.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,7 @@ namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
 using Shapes = rtglyphs::GlyphShapes;
+using rtglyphs::GlyphJoinedArrays::vanDerWaals;
 
 constexpr double fewNegative = 0.1; // fraction of the tensors, as noise makes it
 
@@ -98,6 +101,12 @@ bool IsUnit(const Array& array)
   return array.Components > 1 && std::abs(array.Least - 1.0) < 1e-3 && std::abs(array.Largest - 1.0) < 1e-3;
 }
 
+// Three bytes or more are a color, not a magnitude that a table maps.
+bool AreColors(const Array& array)
+{
+  return array.IsColor && array.IsWhole && array.Components > 2;
+}
+
 // Whether an array, if there is one, has a range of colors, unlike a load that is still zero.
 bool HasRange(vtkSMProxy* glyphs, const std::string& name)
 {
@@ -106,8 +115,8 @@ bool HasRange(vtkSMProxy* glyphs, const std::string& name)
     [&](const Array& array) { return array.Name == name && array.IsKnown() && array.Least == array.Largest; });
 }
 
-// The glyphs' direction, else the size, else the array with the best score. Empty: none, or the direction is several
-// arrays, or has unit length.
+// The glyphs' direction, else the size, else colors, else the array with the best score. Empty: none, or the direction
+// is several arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
@@ -129,15 +138,20 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   const bool directed = shape == Shapes::SPLIT_VECTOR || Shapes::IsUncertain(shape) ||
     (arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
   const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
-  const std::string size =
+  std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
+  size = size.starts_with(vanDerWaals) ? size.substr(vanDerWaals.size()) : size; // elements, which have colors
   const bool unit = std::any_of(
     arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction && IsUnit(array); });
   if (unit || (direction.find(", ") != std::string::npos && !isListed(direction, false)))
   {
     return {};
   }
-  return isListed(direction, false) ? direction : isListed(size, true) ? size : domain->ChooseFor(LENGTH, arrays).Name;
+  const auto colors = std::find_if(arrays.begin(), arrays.end(), AreColors);
+  return isListed(direction, false) ? direction
+    : isListed(size, true)          ? size
+    : colors != arrays.end()        ? colors->Name
+                                    : domain->ChooseFor(LENGTH, arrays).Name;
 }
 }
 
@@ -145,6 +159,7 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  this->Begun = true;
   const std::string setting =
     std::string(".") + display->GetXMLGroup() + "." + display->GetXMLName() + ".ColorArrayName";
   const std::string found = ColorArrayOf(display);
@@ -205,6 +220,22 @@ void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string
 }
 
 //----------------------------------------------------------------------------
+void rtglyphs::RayTracedColoring::FollowBytes(vtkSMProxy* glyphs, bool window)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  const std::string shown = ColorArrayOf(display);
+  const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+  const bool bytes = std::any_of(
+    arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == shown && AreColors(array); });
+  if (window && this->Begun && std::exchange(this->Bytes, bytes) != bytes)
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    vtkSMPropertyHelper(display, "MapScalars").Set(bytes ? 0 : 1);
+    display->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
@@ -216,6 +247,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
     this->Wanted = false;
   }
+  this->FollowBytes(glyphs, window);
   if (window && std::exchange(this->Replaced, false))
   {
     UpdateBars(glyphs, view);
@@ -261,10 +293,22 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
       .arg("attribute_type", association);
     colored->SetScalarColoring(array.c_str(), association);
     colored->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
+    const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+    vtkSMProxy* table = vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
+    if (table &&
+      std::any_of(
+        arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == array && IsOverDecades(one); }))
+    {
+      SM_SCOPED_TRACE(PropertiesModified).arg("proxy", table);
+      vtkSMTransferFunctionProxy::MapControlPointsToLogSpace(table);
+      vtkSMPropertyHelper(table, "UseLogScale").Set(1);
+      table->UpdateVTKObjects();
+    }
   }
   display->UpdateVTKObjects();
   this->Choosing = false;
-  if (window)
+  this->FollowBytes(glyphs, window);
+  if (window && !this->Bytes) // a bar would show what no table maps
   {
     UpdateBars(glyphs, view);
   }

@@ -39,6 +39,7 @@ public:
 
 private:
   void TakeBack(vtkSMProxy* glyphs, const std::string& chosen);
+  void FollowBytes(vtkSMProxy* glyphs, bool window);
 
   bool Wanted = false;   // ColorFromData, in a window
   bool Choosing = false; // by this class
@@ -46,6 +47,8 @@ private:
   std::string Chosen;    // association and name of ColorArrayName
   std::string Shown;     // by the glyphs, when the color was chosen
   bool Ranged = true;    // that had a range then
+  bool Begun = false;    // by Begin()
+  bool Bytes = false;    // color the display as they are
 };
 
 } // namespace rtglyphs

@@ -140,7 +140,14 @@ public:
   {
     const bool isArray = vtkSMStringVectorProperty::SafeDownCast(this);
     const bool lost = where == Where::Lost && isArray && this->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN;
-    const bool missing = !this->Found || (isArray && strcmp(vtkSMPropertyHelper(this).GetAsString(), "None") == 0);
+    // GlyphLocation Points may be the default of no arrays.
+    const auto isNone = [this, isArray]
+    {
+      const vtkSMPropertyHelper value(this);
+      return isArray ? strcmp(value.GetAsString(), "None") == 0
+                     : vtkSMIntVectorProperty::SafeDownCast(this) && value.GetAsInt() == 0;
+    };
+    const bool missing = !this->Found || isNone();
     if (!this->IsChosen() || FromDataOf(this) || !(where == Where::Everywhere || lost || missing))
     {
       return false;
@@ -239,6 +246,10 @@ bool rtglyphs::RayTracedDefault::IsOfDomains(vtkSMProperty* property)
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedDefault::Follow(vtkSMProxy* representation, const char* name)
 {
+  if (strcmp(name, "GlyphShape") == 0)
+  {
+    RenewOne(representation->GetProperty("GlyphLocation"), Where::Everywhere);
+  }
   if (strcmp(name, "GlyphLocation") == 0)
   {
     // The lists of arrays are those of the input that the glyphs stand on.

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace
@@ -50,7 +51,7 @@ public:
   }
 };
 
-// Where glyphs stand: on cells (1) where only these have directions or tensors.
+// Where glyphs stand: on cells (1) where only these have what GlyphShape shows.
 class LocationDomain final : public vtkSMEnumerationDomain
 {
 public:
@@ -60,14 +61,16 @@ public:
     auto* source = input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
     vtkPVDataInformation* data =
       source && source->GetOutputPortsCreated() ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
-    if (!data || vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(data->GetPointDataInformation()) ||
-      !vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(data->GetCellDataInformation()))
+    const int shape = vtkSMPropertyHelper(this->GetProperty()->GetParent(), "GlyphShape").GetAsInt();
+    const std::optional<bool> atCells =
+      data ? vtkSMRayTracedArrayListDomain::AreAtCells(data, shape) : std::optional<bool>();
+    if (!atCells)
     {
       return 0;
     }
     vtkSMPropertyHelper helper(property);
     helper.SetUseUnchecked(useUncheckedValues);
-    helper.Set(1);
+    helper.Set(*atCells ? 1 : 0);
     return 1;
   }
 };

@@ -274,10 +274,21 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
 }
 
 //----------------------------------------------------------------------------
-bool vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes)
+std::optional<bool> vtkSMRayTracedArrayListDomain::AreAtCells(vtkPVDataInformation* data, int shape)
 {
-  const std::vector<Array> arrays = ArraysOf(attributes, nullptr);
-  const auto has = [&arrays](Role role)
-  { return static_cast<bool>(rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0)); };
-  return has(DIRECTION) || has(TENSOR);
+  using Shapes = rtglyphs::GlyphShapes;
+  const std::vector<Array> points = ArraysOf(data->GetPointDataInformation(), nullptr);
+  const std::vector<Array> cells = ArraysOf(data->GetCellDataInformation(), nullptr);
+  const std::vector<Role> roles = shape == Shapes::SPHERICAL_HARMONICS ? std::vector<Role>{ HARMONICS }
+    : Shapes::IsColored(shape)                                         ? std::vector<Role>{ TENSOR }
+                                                                       : std::vector<Role>{ DIRECTION, TENSOR };
+  for (Role role : roles)
+  {
+    const bool atPoints(rtglyphs::GlyphArrayRoles::Choose(role, points, 0.0));
+    if (atPoints || rtglyphs::GlyphArrayRoles::Choose(role, cells, 0.0))
+    {
+      return !atPoints;
+    }
+  }
+  return {};
 }

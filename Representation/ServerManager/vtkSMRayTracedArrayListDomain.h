@@ -17,6 +17,7 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMArrayListDomain.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,9 +54,9 @@ public:
   static bool IsBody(vtkSMProxy* glyphs);
 
   /**
-   * Whether the data have an array that `direction` or `tensor` would choose.
+   * Whether glyphs of the data stand at cells: where only these have what GlyphShape shows. Empty: neither has.
    */
-  static bool HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes);
+  static std::optional<bool> AreAtCells(vtkPVDataInformation* data, int shape);
 #endif
 
 protected:

@@ -123,6 +123,16 @@ def location(checks):
         checks.equal("SelectOrientationVectors of " + name, arrays(shown)[1], direction)
         checks.equal("glyphs of " + name, session.statistics(shown)["glyphs"], 27 if wanted else 64)
         pv.Delete(shown)
+    script = "import numpy\noutput.CellData.append(numpy.tile(%s, (27, 1)), 'stress')" % list(range(1, 7))
+    parts = pv.ProgrammableFilter(Input=cases["points"][0], CopyArrays=1, Script=script)  # displacements of points, stresses of cells
+    shown = session.glyphs(parts, view, "Arrow")
+    for shape, wanted, tensor in (("Arrow", 0, "None"), ("Tensor Ellipsoid", 1, "stress"), ("Normal Stress", 1, "stress"), ("Arrow", 0, "None")):
+        session.assign_shape(shown, shape)
+        checks.no_message("stresses of cells", session.messages(lambda: pv.Render(view)))
+        checks.equal("GlyphLocation of %s" % shape, shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), wanted)
+        checks.equal("glyphs of %s" % shape, session.statistics(shown)["glyphs"], 27 if wanted else 64)
+        checks.equal("arrays of %s" % shape, arrays(shown)[1:3], ["None", tensor] if wanted else ["force", tensor])
+    pv.Delete(shown)
     shown = session.glyphs(cases["cells"][0], view, GlyphLocation="Points")
     pv.Render(view)
     checks.equal("GlyphLocation that a script has chosen", shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 0)

@@ -214,11 +214,7 @@ def periodic(view, checks):
     session.messages(lambda: (pv.ResetCamera(view), pv.Render(view)))
     view.ViewTime = 1.0
     checks.no_message("periodic", session.messages(lambda: pv.Render(view)))
-    shown.SMProxy.UpdatePropertyInformation()
-    delivered = shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
-    leaf = delivered.NewIterator()
-    leaf.InitTraversal()
-    velocity = vtk_to_numpy(leaf.GetCurrentDataObject().GetPointData().GetArray("vtkRayTraced_StepVelocity"))
+    velocity = delivered(shown, "vtkRayTraced_StepVelocity")
     points = numpy.random.default_rng(1).uniform(0.0, 10.0, (80, 3))
     crossing = points[:, 0] + 0.3 >= 10.0
     checks.true("no point crosses the border", crossing.any())
@@ -423,6 +419,20 @@ def shuffled(view, checks):
     pv.Delete(shown)
 
 
+def delivered(display, array):
+    """Values of an array of the points that glyphs are made of."""
+    display.SMProxy.UpdatePropertyInformation()
+    leaf = display.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0).NewIterator()
+    leaf.InitTraversal()
+    return vtk_to_numpy(leaf.GetCurrentDataObject().GetPointData().GetArray(array))
+
+
+def elements(name, display, view, checks):
+    """Radii of O, H, H, C, H, Cl as in the Blue Obelisk Data Repository."""
+    found = delivered(display, display.SMProxy.GetProperty(SIZE).GetElement(0))
+    checks.within(name + ": error of the radii", float(abs(found - [1.55, 1.2, 1.2, 1.7, 1.2, 1.8]).max()), 0.0, 1e-6)
+
+
 def streak(name, display, view, checks):
     """Motion blur has something to show."""
     checks.equal(name + ": motion", session.statistics(display).get("missingInput", ""), "")
@@ -442,7 +452,7 @@ ROWS = (
     Row("atoms", pdb, SIZED, {"SelectScaleArray": "radius", "SelectOrientationVectors": "None"}, (1.15, 1.16), 100),
     Row("atoms, components", pdb, {"GlyphType": "Sphere", "ScaleMode": "Vector Components"},
         {"SelectScaleArray": "radius"}, (2.0, 2.0), 100),
-    Row("atoms of a molecule", molecule, SIZED, {"SelectScaleArray": "None"}, glyphs=6),
+    Row("atoms of a molecule", molecule, SIZED, {"SelectScaleArray": "Van der Waals radii of Atomic Numbers"}, (2.0, 2.0), 6, shown=elements),
     Row("drops beside a mesh", openfoam, {**SIZED, "SelectScaleArray": "d"}, factor=(1.0, 1.0), glyphs=37, says=["Block 'internalMesh'", "242 points", "'d'", "BlockSelectors"]),
     Row("drops", lambda: openfoam().GetBlock(1), SIZED, {"SelectScaleArray": "d"}, (1.0, 1.0), 37),
     Row("fluid particles", lambda: session.poly_data(0.1 * grid(6, 6, 6), velocity=RANDOM.normal(size=(216, 3)), pressure=numpy.ones(216),
@@ -468,6 +478,9 @@ ROWS = (
         {"SelectOrientationVectors": "None"}, glyphs=100, says=["SelectOrientationVectors", "direction"]),
     Row("positions beside vectors", lambda: session.poly_data(box(), xyz=box(), vectors_xyz=RANDOM.normal(size=(100, 3))), ARROWS,
         {"SelectOrientationVectors": "vectors_xyz", "SelectScaleArray": "vectors_xyz"}),
+    Row("modes of vibration", lambda: session.poly_data(
+        grid(4, 4, 4), Mode_1_imag=1e-3 * (grid(4, 4, 4) + 1.0), Mode_1_real=grid(4, 4, 4)[:, ::-1] - 1.0, Mode_0_error=grid(4, 4, 4) + 2.0),
+        ARROWS, {"SelectOrientationVectors": "Mode_1_real", "SelectScaleArray": "Mode_1_real"}),
     # Bodies are turned by what turns them
     Row("bodies with quaternions", lambda: session.poly_data(
         grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), quat=RANDOM.normal(size=(64, 4)), shape=numpy.ones((64, 3))), {"GlyphShape": "Capsule"},

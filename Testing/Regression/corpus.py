@@ -13,7 +13,7 @@ from paraview import smtrace
 import comparison
 import scale_guess
 import session
-from cases import grid, unit
+from cases import grid, molecule, unit
 from checks import Checks, stepwise
 
 RANDOM = numpy.random.default_rng(5)
@@ -238,6 +238,8 @@ class Row:
         coloring = next((value for value in own if value != "None"), "None")
         found = shown.ColorArrayName.GetArrayName() if coloring == "None" else coloring
         checks.equal(self.name + ": color", found, self.color)
+        checks.equal(self.name + ": MapScalars", shown.MapScalars, int(self.color not in ("rgb_colors", "Colour")))
+        checks.equal(self.name + ": colors by a logarithm", int(coloring == "None" and pv.GetColorTransferFunction(found).UseLogScale), int(found == "masses"))
         checks.true("%s: the section Coloring has %s" % (self.name, shown.ColorArrayName.GetArrayName()),
                     coloring == "None" or not shown.ColorArrayName.GetArrayName())
         if self.glyphs is not None:
@@ -327,6 +329,11 @@ ROWS = (
                                                        "anisotropy may pass 1", ), GlyphShape="Tensor Superquadric"),
     Row("OOMMF, directions of magnetization", lambda: vti("spins.vti", (8, 8, 1), m=unit(64, 3)), {DIRECTION: "m"}, "Axes", 64, ("Direction by m", "Color by direction")),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
+    Row("N-body, masses", lambda: legacy("nbody.vtk", PLACES, masses=10.0**RANDOM.uniform(4.0, 12.0, 300)), {SIZE: "None"}, "masses", 300),
+    Row("laser scan", lambda: vtp("scan.vtp", PLACES, Intensity=RANDOM.integers(0, 65535, 300), Colour=RANDOM.integers(0, 255, (300, 3)).astype(numpy.uint8)),
+        {}, "Colour", 300, ("Color by Colour: what the glyphs show", )),
+    Row("XYZ, Molecule To Lines", molecule, {SIZE: "Van der Waals radii of Atomic Numbers"}, "Atomic Numbers", 6,
+        ("Size by Van der Waals radii of Atomic Numbers", "Color by Atomic Numbers: what the glyphs show")),
 )
 
 
@@ -359,7 +366,7 @@ def main(words):
         trace = smtrace.stop_trace()
         own = {"Sign": "GlyphTensorColoring", "Fractional Anisotropy": "GlyphTensorColoring", "Axes": "GlyphDirectionColoring"}.get(row.color)
         wanted = "%s = '%s'" % (own, row.color) if own else "'%s'))" % row.color
-        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors") or wanted in trace)
+        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors", "Atomic Numbers") or wanted in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):
         row, column = divmod(i, COLUMNS)

@@ -237,6 +237,13 @@ def odd_data(checks):
         session.messages(lambda: pv.Render(view))
         checks.within("factor of " + what, shown.ScaleFactor, low, high)
         pv.Delete(shown)
+    sizes = []
+    for growth in numpy.arange(1.11, 1.15, 0.005):  # of the cells: even meshes become graded ones
+        mesh = growth**numpy.array([(x, y, 0.0) for x in range(20) for y in range(20)])
+        shown = display(session.source(session.poly_data(mesh)), view, Orient=0)
+        sizes.append(factor(shown) / numpy.ptp(mesh))
+        pv.Delete(shown)
+    checks.within("largest change of the size between meshes that are nearly alike", max(numpy.maximum(sizes[1:], sizes[:-1]) / numpy.minimum(sizes[1:], sizes[:-1])).item(), 1.0, 1.3)
     whole = grid()
     blocks = pv.GroupDatasets(Input=[session.source(session.poly_data(whole[:200])), session.source(session.poly_data(whole[200:]))])
     shown = display(blocks, view)
