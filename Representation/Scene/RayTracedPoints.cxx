@@ -10,6 +10,8 @@
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -45,7 +47,7 @@ void rtglyphs::RayTracedPoints::Draw(
     {
       const rtg::GlyphInstances& glyphs = *shown.Instances;
       const std::vector<std::uint32_t>& each = shown.Colors->each;
-      const glm::vec3& plain = displays.GetAll()[shown.Display].Material.colour;
+      const std::uint32_t plain = glm::packUnorm4x8(glm::vec4(displays.GetAll()[shown.Display].Material.colour, 1.0f));
       const bool surface = glyphs.identifyTriangles && glyphs.mesh && glyphs.Count() == 1;
       const std::vector<glm::vec3>& places = surface ? glyphs.mesh->positions : glyphs.centres;
       const glm::dvec3 from = glyphs.origin + (surface ? glm::dvec3(glyphs.centres[0]) : glm::dvec3(0.0));
@@ -53,11 +55,10 @@ void rtglyphs::RayTracedPoints::Draw(
       {
         const glm::dvec3 place = from + glm::dvec3(places[i]);
         points->InsertNextPoint(&place[0]);
-        for (int channel = 0; channel < 3; ++channel)
+        const std::uint32_t color = each.size() == places.size() ? each[i] : plain;
+        for (int shift : { 0, 8, 16 })
         {
-          const bool own = each.size() == places.size();
-          colors->InsertNextValue(
-            static_cast<unsigned char>(own ? each[i] >> 8 * channel : 255.0f * plain[channel] + 0.5f));
+          colors->InsertNextValue(static_cast<unsigned char>(color >> shift));
         }
       }
     }

@@ -77,17 +77,23 @@ def ahead(checks, view, shown):
 
 
 def first(checks):
-    """Of a view's first picture there are points while its program is compiled, in the glyphs' color."""
-    view = session.view(200, 150)
-    shown = stepwise(session.glyphs(cloud(), view, "Cylinder", samples=2, Orient=0, ScaleFactor=0.3))
-    session.solid(shown, (0.9, 0.6, 0.3))
-    session.look(view, (0.0, 0.0, 6.0))
-    pictures = while_compiling(view, shown)
-    checks.true("first picture: no program was compiled", bool(pictures))
-    for seen in pictures[:1] + pictures[-1:]:
-        checks.covered("first picture: while programs are compiled", seen, 0.02, 0.15)
-        checks.true("first picture: points of another color", (abs(seen - (230, 153, 77)).max(axis=-1) <= 1).mean() > 0.02)
-    finished(checks, view, shown, "first picture of a view")
+    """Of a view's first picture there are points while its program is compiled, in the glyphs' colors."""
+    for shape, mapped in (("Cylinder", False), ("Capsule", True)):
+        view = session.view(200, 150)
+        shown = stepwise(session.glyphs(cloud(), view, shape, samples=2, Orient=0, ScaleFactor=0.3))
+        session.solid(shown, (0.9, 0.6, 0.3))
+        if mapped:
+            pv.ColorBy(shown, ("POINTS", "scalar")) # which is x
+            pv.GetColorTransferFunction("scalar").RGBPoints = [-1.0, 0.0, 0.4, 1.0, 0.0, 0.0, 0.4, 1.0, 0.0, 1.0, 0.2, 0.0, 1.0, 1.0, 0.2, 0.0]
+        session.look(view, (0.0, 0.0, 6.0))
+        pictures = while_compiling(view, shown)
+        checks.true("first picture of %s: no program was compiled" % shape, bool(pictures))
+        for seen in pictures[:1] + pictures[-1:]:
+            checks.covered("first picture of %s: while programs are compiled" % shape, seen, 0.02, 0.15)
+            for half, color in ((seen[:, :90], (0, 102, 255)), (seen[:, 110:], (255, 51, 0))):
+                found = (abs(half - (color if mapped else (230, 153, 77))).max(axis=-1) <= 2).mean()
+                checks.within("first picture of %s: fraction of points of that color" % shape, found, 0.02, 0.15)
+        finished(checks, view, shown, "first picture of %s" % shape)
 
 
 def main():
