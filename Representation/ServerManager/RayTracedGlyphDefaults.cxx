@@ -431,7 +431,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   }
   vtkSMProxy* type = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
   const bool ball = shape == 0 && type && strcmp(type->GetXMLName(), "SphereSource") == 0 &&
-    number("ScaleMode") != vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
+    static_cast<int>(number("ScaleMode")) != vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
   if (number("Orient") != 0.0 && !tensors && !ball)
   {
     explain("Direction", "SelectOrientationVectors");
