@@ -188,7 +188,7 @@ def outlines(checks, stage):
     shown = stage.show(data, "Sphere", Orient=0, ScaleFactor=1.0, SamplesPerPixel=16, OutlineWidth=2.0, Ambient=1.0, Diffuse=0.0)
     session.solid(shown, (0.9, 0.6, 0.3))
     session.look(view, (0.0, 0.0, 6.0))
-    for what, focus, moves, wanted in (("sharp", 0.0, 0, [True, True]), ("a lens in focus", 6.0, 0, [True, True]), ("a lens out of focus", 3.0, 0, [False, False]),
+    for what, focus, moves, wanted in (("sharp", 0.0, 0, [True, True]), ("a lens in focus", 6.0, 0, [True, True]), ("a lens out of focus", 5.0, 0, [False, False]),
                                        ("motion", 0.0, 1, [True, False])):
         view.CameraFocalDisk, view.CameraFocalDistance = 0.9, focus
         shown.MotionBlur, shown.VelocityArray, shown.ShutterTime = moves, "velocity", 0.4
