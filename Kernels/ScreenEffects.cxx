@@ -22,6 +22,9 @@ constexpr double creaseAngle = 40.0, flatness = 0.25;
 constexpr double leastStep = 2.0;
 // Of a glyph's visible diameter: its lines cover at most an eighth of it.
 constexpr float widestLine = 1.0f / 16.0f;
+// Pixels over which a border is blurred: up to the first its line is whole, from the second on there is none, because
+// samples at pixels' centers would leave dots.
+constexpr double sharpBlur = 1.0, widestBlur = 3.0;
 
 // The image's pixels as places in space, from their centers' depths.
 class Surface
@@ -51,6 +54,17 @@ public:
     return this->camera_.parallel ? offset / this->camera_.depthB : this->camera_.depthB / offset;
   }
   double PixelSize(double viewDepth) const { return this->pixelAtOne_ * (this->camera_.parallel ? 1.0 : viewDepth); }
+
+  // Pixels over which the lens and its motion spread what a pixel shows.
+  double Blur(std::size_t at, const GlyphPath& path) const
+  {
+    const double depth =
+      this->ViewDepth(static_cast<int>(at % this->image_.width), static_cast<int>(at / this->image_.width));
+    const double defocus = (this->camera_.focusDepth - depth) / (this->camera_.focusDepth - this->camera_.lensDepth);
+    const double circle = this->camera_.lensRadius > 0.0 ? 2.0 * this->camera_.lensRadius * std::abs(defocus) : 0.0;
+    const double way = path ? path(this->image_.setIds[at], this->image_.glyphIds[at]) : 0.0;
+    return std::max(circle, way) / this->PixelSize(depth);
+  }
 
   // Whether there is a line between a pixel and the next one along (dx, dy), both of which the image has.
   bool HasBorder(int x, int y, int dx, int dy) const
@@ -141,7 +155,7 @@ struct Lines
   std::vector<float> right, above;
 };
 
-Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface& surface)
+Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface& surface, const GlyphPath& path)
 {
   const std::size_t width = image.width, pixels = width * image.height;
   Lines lines{ std::vector<float>(pixels), std::vector<float>(pixels) };
@@ -192,15 +206,19 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
     [&](float& line, std::size_t i, std::size_t other)
     {
       const bool isOther = !at[i] || (at[other] && image.depth[other] < image.depth[i]);
-      line = std::min(effects.outlineWidth, widestLine * at[isOther ? other : i]->Diameter());
+      const std::size_t front = isOther ? other : i;
+      const double sharp = (widestBlur - surface.Blur(front, path)) / (widestBlur - sharpBlur);
+      line = std::min(effects.outlineWidth, widestLine * at[front]->Diameter()) *
+        static_cast<float>(std::clamp(sharp, 0.0, 1.0));
     });
   return lines;
 }
 
-void DrawLines(const ScreenEffects& effects, const Image& image, const Surface& surface, EffectImage& result)
+void DrawLines(
+  const ScreenEffects& effects, const Image& image, const Surface& surface, const GlyphPath& path, EffectImage& result)
 {
   const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-  const Lines lines = FindLines(effects, image, surface);
+  const Lines lines = FindLines(effects, image, surface, path);
   const int reach = static_cast<int>(std::ceil(0.5f * effects.outlineWidth + 0.5f));
   ParallelFor(image.height,
     [&](std::size_t row)
@@ -244,7 +262,7 @@ void DrawLines(const ScreenEffects& effects, const Image& image, const Surface& 
 
 } // namespace
 
-EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera)
+EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const GlyphPath& path)
 {
   const std::size_t pixels = std::size_t(image.width) * image.height;
   EffectImage result;
@@ -252,7 +270,7 @@ EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera
   result.depths.assign(image.depth, image.depth + pixels);
   if (effects.outlineWidth > 0.0f)
   {
-    DrawLines(effects, image, Surface(image, image.depth, camera), result);
+    DrawLines(effects, image, Surface(image, image.depth, camera), path, result);
   }
   if (effects.depthCue > 0.0f)
   {

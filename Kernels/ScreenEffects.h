@@ -4,6 +4,7 @@
 #include "Tracer.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace rtg
@@ -21,15 +22,19 @@ struct ScreenEffects
   bool operator==(const ScreenEffects&) const = default;
 };
 
+/// World length that what an image calls so moves while the shutter is open.
+using GlyphPath = std::function<double(std::uint32_t set, std::uint32_t glyph)>;
+
 /// The colors and window depths of an image with these effects. Lines run along borders between glyphs, or between a
 /// glyph and what is behind it, along steps of the depth within a glyph, and along creases of more than 40 degrees.
 /// They are as wide in every image, half of it on either side of the border, and lie at the depth of what is in front.
-/// Around what is so small that they would cover more than an eighth of it they are thinner.
+/// Around what is so small that they would cover more than an eighth of it they are thinner, and around what a lens or
+/// its motion blurs over more than a pixel or two there are none. Without `path` nothing moves.
 struct EffectImage
 {
   std::vector<std::uint32_t> colours; ///< as Image::colour
   std::vector<float> depths;
 };
-EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera);
+EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const GlyphPath& path = {});
 
 } // namespace rtg

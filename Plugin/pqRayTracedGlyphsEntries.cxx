@@ -8,17 +8,40 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedArrayListDomain.h"
 
 #include <QComboBox>
 #include <QStandardItemModel>
 #include <QStringList>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 //----------------------------------------------------------------------------
 pqRayTracedGlyphsEntries::pqRayTracedGlyphsEntries(vtkPVXMLElement* xml, pqPropertyWidget* row)
   : pqPropertyWidgetDecorator(xml, row)
 {
   pqCoreUtilities::connect(row->proxy()->GetProperty("GlyphShape"), vtkCommand::ModifiedEvent, this, SLOT(enable()));
+  pqCoreUtilities::connect(
+    row->proxy()->GetProperty("GlyphTensorArray"), vtkCommand::ModifiedEvent, this, SIGNAL(visibilityChanged()));
   this->enable();
+}
+
+//----------------------------------------------------------------------------
+// As long as there is no array any one may come.
+bool pqRayTracedGlyphsEntries::canShowWidget(bool) const
+{
+  const QStringList numbers = QString(this->xml()->GetAttribute("components")).split(' ');
+  vtkSMProperty* tensors = this->parentWidget()->proxy()->GetProperty("GlyphTensorArray");
+  auto* listed = tensors->FindDomain<vtkSMRayTracedArrayListDomain>();
+  const std::string name = vtkSMPropertyHelper(tensors).GetAsString();
+  using Array = vtkSMRayTracedArrayListDomain::Array;
+  const std::vector<Array> arrays = listed && !numbers[0].isEmpty() ? listed->Listed() : std::vector<Array>();
+  const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == name; });
+  const bool named = array != arrays.end() && (array->HasTensorNames || !array->Columns.empty());
+  return array == arrays.end() ||
+    (numbers.contains(QString::number(array->Components)) && (array->Components > 6 || !named));
 }
 
 //----------------------------------------------------------------------------

@@ -1,7 +1,9 @@
 #include "pqRayTracedGlyphsRefinement.h"
 
 #include "pqAnimationScene.h"
+#include "RayTracedSuggestion.h"
 #include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
 #include "pqProgressManager.h"
 #include "pqProgressWidget.h"
 #include "pqRenderView.h"
@@ -10,6 +12,7 @@
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "vtkCollection.h"
+#include "vtkCommand.h"
 #include "vtkRenderWindow.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
@@ -20,7 +23,9 @@
 #include "vtkSMViewProxy.h"
 
 #include <QApplication>
+#include <QMainWindow>
 #include <QSignalBlocker>
+#include <QStatusBar>
 #include <QWidget>
 
 #include <algorithm>
@@ -125,6 +130,25 @@ void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* represen
   {
     vtkSMPropertyHelper(proxy, "SamplesPerRender").Set(-1);
     proxy->UpdateProperty("SamplesPerRender");
+    for (const char* fromData : { "ScaleFactor", "ShutterTime" })
+    {
+      pqCoreUtilities::connect(proxy->GetProperty(fromData), vtkCommand::ModifiedEvent, this, SLOT(tell(vtkObject*)));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+// Over time the data may choose another number, which changes the picture.
+void pqRayTracedGlyphsRefinement::tell(vtkObject* number)
+{
+  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+  if (window && rtglyphs::RayTracedSuggestion::IsTaking())
+  {
+    auto* property = static_cast<vtkSMProperty*>(number);
+    window->statusBar()->showMessage(tr("%1 is now %2, chosen from the data")
+                                       .arg(property->GetXMLLabel())
+                                       .arg(vtkSMPropertyHelper(property).GetAsDouble(), 0, 'g', 3),
+      10000);
   }
 }
 

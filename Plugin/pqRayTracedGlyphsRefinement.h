@@ -73,6 +73,7 @@ private Q_SLOTS:
   void viewAdded(pqView* view);
   void representationAdded(pqRepresentation* representation);
   void proxyAdded(pqProxy* proxy);
+  void tell(vtkObject* number);
   void rendered();
   void step();
   void rested();

@@ -98,7 +98,8 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&
     std::any_of(view.lights.begin(), view.lights.end(),
       [](const rtg::Light& light) { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });
-  if (shown.IsValid() && (view.settings.shadows || view.settings.shading != rtg::Shading::Local))
+  // Local shading has none without shadows; but programs of the other modes are compiled ahead for these settings.
+  if (shown.IsValid())
   {
     PutGroundBelow(shown, settings.GroundShadow, renderer->GetActiveCamera(), view.settings);
   }

@@ -214,7 +214,20 @@ void rtglyphs::RayTracedImages::Send(
     entry.Quad.SetImage(window, image.width, image.height, image.colour, image.depth, version);
     return;
   }
-  const rtg::EffectImage shown = rtg::Apply(effects, image, entry.Image.View().camera);
+  const rtg::GlyphPath path = [this](std::uint32_t set, std::uint32_t glyph)
+  {
+    const rtg::GlyphInstances& glyphs = this->Scene->InstancesOf(set);
+    const rtg::GlyphMotion& motion = glyphs.identifyTriangles ? glyphs.mesh->motion : glyphs.motion;
+    if (!motion.Moves())
+    {
+      return 0.0;
+    }
+    const std::uint32_t original = this->Scene->OriginalGlyph(set, glyph);
+    const std::size_t mover = glyphs.identifyTriangles ? glyphs.mesh->triangles[original].x : original;
+    return glm::distance(
+      motion.Displacement(mover, glyphs.motion.shutterOpen), motion.Displacement(mover, glyphs.motion.shutterClose));
+  };
+  const rtg::EffectImage shown = rtg::Apply(effects, image, entry.Image.View().camera, path);
   entry.Quad.SetImage(window, image.width, image.height, shown.colours.data(), shown.depths.data(), version);
 }
 

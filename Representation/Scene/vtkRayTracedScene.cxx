@@ -9,6 +9,7 @@
 #include "RayTracedImages.h"
 #include "RayTracedOpenGL.h"
 #include "RayTracedPicker.h"
+#include "RayTracedPoints.h"
 #include "RayTracedProgress.h"
 #include "RayTracedRanks.h"
 #include "RayTracedRendererState.h"
@@ -78,6 +79,7 @@ struct vtkRayTracedScene::Internals
   rtglyphs::RayTracedFrame Frame;
   rtglyphs::RayTracedFrameStatus Status; // of the last frame
   rtglyphs::RayTracedEdges Edges;
+  rtglyphs::RayTracedPoints Points;
 
   std::string Reported; // the last failure, until there is an image again
   bool PassReported = false, GroundReported = false, ExportReported = false, CutReported = false;
@@ -395,14 +397,21 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
   // While a program is compiled there is nothing to see of the image that needs it. The last frame stays, which may
-  // show what is no longer so; but not from another camera, beside what ParaView draws, nor in files.
+  // show what is no longer so; but not from another camera, beside what ParaView draws, nor in files. Else there are
+  // points.
+  bool again = self.Capture;
   const auto last = self.Images.GetLast(drawn->Place);
   for (int of : { opaque, translucent })
   {
     if (last[of] && !self.Capture && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
     {
       self.Images.Draw(*last[of], /*again=*/true, this->Renderer, imageActor, mapper);
+      again = true;
     }
+  }
+  if (!again)
+  {
+    self.Points.Draw(self.Displays, self.Images, this->Renderer, imageActor);
   }
 }
 
@@ -524,6 +533,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
   this->Self->Images.ReleaseGraphicsResources(window);
   this->Self->Picker.ReleaseGraphicsResources(window);
   this->Self->Edges.ReleaseGraphicsResources(window);
+  this->Self->Points.ReleaseGraphicsResources(window);
   this->Self->FXAA.ReleaseGraphicsResources();
 }
 

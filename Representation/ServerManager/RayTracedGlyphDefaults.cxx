@@ -429,7 +429,10 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   {
     sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for glyphs of direction");
   }
-  if (number("Orient") != 0.0 && !tensors)
+  vtkSMProxy* type = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
+  const bool ball = shape == 0 && type && strcmp(type->GetXMLName(), "SphereSource") == 0 &&
+    static_cast<int>(number("ScaleMode")) != vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
+  if (number("Orient") != 0.0 && !tensors && !ball)
   {
     explain("Direction", "SelectOrientationVectors");
   }

@@ -5,6 +5,8 @@
 #ifndef RayTracedSuggestion_h
 #define RayTracedSuggestion_h
 
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+
 class vtkSMProxy;
 
 namespace rtglyphs::RayTracedSuggestion
@@ -24,7 +26,7 @@ void Take(vtkSMProxy* shown);
 /**
  * Whether it is Take() that sets a number.
  */
-bool IsTaking();
+VTKRAYTRACEDGLYPHS_EXPORT bool IsTaking();
 }
 
 #endif

@@ -218,9 +218,9 @@ Choice vtkSMRayTracedArrayListDomain::Choose()
   const bool body = IsBody(glyphs);
   if (this->ChoiceOfArray == "direction" && shape != 0 && !body)
   {
-    // Tensors and polynomials are given in the data's frame.
-    arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [](const Array& array) { return array.Components > 3; }),
-      arrays.end());
+    // Tensors and polynomials, which have colors, are given in the data's frame.
+    const bool given = rtglyphs::GlyphShapes::IsColored(shape);
+    std::erase_if(arrays, [given](const Array& array) { return given || array.Components > 3; });
   }
   const std::string& choice = this->ChoiceOfArray;
   const Role role = choice == "direction" ? (body ? ROTATION : DIRECTION)

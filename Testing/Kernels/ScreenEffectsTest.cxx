@@ -64,7 +64,7 @@ protected:
     this->image.glyphIds = this->glyphs.data();
   }
 
-  rtg::EffectImage Apply() const { return rtg::Apply(this->effects, this->image, this->camera); }
+  rtg::EffectImage Apply() const { return rtg::Apply(this->effects, this->image, this->camera, this->path); }
 
   // In the middle row, how much of each pixel is black line: what its white is darker by, or its opacity.
   std::vector<double> LineInRow() const
@@ -83,6 +83,7 @@ protected:
 
   rtg::ScreenEffects effects;
   rtg::Camera camera;
+  rtg::GlyphPath path;
   std::uint32_t side = 0;
   std::vector<std::uint32_t> colours, sets, glyphs;
   std::vector<float> depths;
@@ -178,6 +179,39 @@ TEST_F(ScreenEffectsTest, SmallGlyphsHaveFaintLines)
   this->Make(256, [](double x, double) { return Seen{ 4.0, x < 0.0 ? 0u : 1u }; });
   const std::vector<double> line = this->LineInRow();
   EXPECT_NEAR(std::accumulate(line.begin(), line.end(), 0.0), 1.5, 0.01);
+}
+
+// A line fades where its glyph is blurred by one to three pixels, which are 0.01 wide: by a lens that focuses before
+// it, by one in focus never, or by motion.
+TEST_F(ScreenEffectsTest, NoLinesWhereGlyphsAreBlurred)
+{
+  this->effects.outlineWidth = 2.0f;
+  for (const bool parallel : { true, false })
+  {
+    this->Make(
+      200,
+      [](double x, double) {
+        return Seen{ x < 0.0 ? 4.0 : 0.0, 0 };
+      },
+      parallel);
+    const auto lineOf = [this](double blur, double focus, double moved)
+    {
+      this->camera.focusDepth = focus;
+      this->camera.lensRadius = 0.5 * blur * focus / (4.0 - 2.0);
+      this->path = [moved](std::uint32_t, std::uint32_t) { return moved; };
+      const std::vector<double> line = this->LineInRow();
+      return std::accumulate(line.begin() + 5, line.end() - 5, 0.0);
+    };
+    const double whole = lineOf(0.0, 2.0, 0.0);
+    EXPECT_NEAR(whole, 2.0, 0.5);
+    EXPECT_EQ(lineOf(0.04, 4.0, 0.0), whole);
+    for (const double blur : { 0.005, 0.02, 0.04 })
+    {
+      const double sharp = glm::clamp((3.0 - blur / 0.01) / 2.0, 0.0, 1.0);
+      EXPECT_NEAR(lineOf(blur, 2.0, 0.0), sharp * whole, 0.15) << blur;
+      EXPECT_NEAR(lineOf(0.0, 2.0, blur), sharp * whole, 0.15) << blur;
+    }
+  }
 }
 
 // A line over nothing has the depth of what it belongs to, and what has none stays as it was.

@@ -1,5 +1,5 @@
 """While programs are compiled the last picture stays, in front of and behind what ParaView draws, until there is a preview: at once, or
-when its program is there. Not in files. Programs of other light are compiled ahead, and the camera is turned meanwhile.
+when its program is there; before the first one there are points. Not in files. Programs of other light are compiled ahead, and the camera is turned meanwhile.
 
 Usage: MESA_SHADER_CACHE_DIR=FOLDER pvpython compiling.py
 FOLDER is emptied.
@@ -55,7 +55,7 @@ def stays(checks, view, shown, what, before, light=False):
 
 def ahead(checks, view, shown):
     """The other modes have their programs when they are chosen, and nothing waits while these are compiled."""
-    shown.ShadingMode = "Local"
+    shown.ShadingMode, shown.GroundShadow = "Local", "Below"
     session.assign_shape(shown, "Cone")
     pv.Render(view)
     finished(checks, view, shown, "before programs are compiled ahead")
@@ -74,6 +74,26 @@ def ahead(checks, view, shown):
         shown.ShadingMode = mode
         checks.true("%s: a program is compiled" % mode, not while_compiling(view, shown))
         finished(checks, view, shown, mode)
+
+
+def first(checks):
+    """Of a view's first picture there are points while its program is compiled, in the glyphs' colors."""
+    for shape, mapped in (("Cylinder", False), ("Capsule", True)):
+        view = session.view(200, 150)
+        shown = stepwise(session.glyphs(cloud(), view, shape, samples=2, Orient=0, ScaleFactor=0.3))
+        session.solid(shown, (0.9, 0.6, 0.3))
+        if mapped:
+            pv.ColorBy(shown, ("POINTS", "scalar")) # which is x
+            pv.GetColorTransferFunction("scalar").RGBPoints = [-1.0, 0.0, 0.4, 1.0, 0.0, 0.0, 0.4, 1.0, 0.0, 1.0, 0.2, 0.0, 1.0, 1.0, 0.2, 0.0]
+        session.look(view, (0.0, 0.0, 6.0))
+        pictures = while_compiling(view, shown)
+        checks.true("first picture of %s: no program was compiled" % shape, bool(pictures))
+        for seen in pictures[:1] + pictures[-1:]:
+            checks.covered("first picture of %s: while programs are compiled" % shape, seen, 0.02, 0.15)
+            for half, color in ((seen[:, :90], (0, 102, 255)), (seen[:, 110:], (255, 51, 0))):
+                found = (abs(half - (color if mapped else (230, 153, 77))).max(axis=-1) <= 2).mean()
+                checks.within("first picture of %s: fraction of points of that color" % shape, found, 0.02, 0.15)
+        finished(checks, view, shown, "first picture of %s" % shape)
 
 
 def main():
@@ -132,6 +152,7 @@ def main():
     pv.Render(view)
     checks.covered("after the screenshot", finished(checks, view, shown, "after the screenshot"), 0.2)
     ahead(checks, view, shown)
+    first(checks)
     checks.report()
 
 

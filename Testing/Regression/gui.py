@@ -32,10 +32,10 @@ DEFAULT_ROWS = {
     **{shape: (DIRECTION + SIZE[:1] + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 22) for shape in ("Uncertain Vector", "Uncertain Direction")},
     "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 25),
     "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28),
-    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28),
-    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26),
-    "Spherical Harmonics": (SIZE + FIRST + ["Harmonics Array", "Harmonics Basis"] + COLORED + BY_DIRECTION + LAST, 25),
-    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 25), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 24)}
+    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27),
+    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 25),
+    "Spherical Harmonics": (DIRECTION + SIZE + FIRST + ["Harmonics Array", "Harmonics Basis"] + COLORED + BY_DIRECTION + LAST, 28),
+    "Normal Stress": (DIRECTION + SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Fourth-Order Tensor": (DIRECTION + SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 27)}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
@@ -164,7 +164,8 @@ def colored(window, view, shown):
 
 
 def sized(window, view, reader, shown):
-    """Size By sets array and mode, and says None while a mode leaves the array unused; split vectors are those of Direction By."""
+    """Size By sets array and mode, and says None while a mode leaves the array unused; split vectors are those of Direction By; the order of
+    components can be chosen where there are several."""
     failures = []
     session.assign_shape(shown, "Sphere")
     shown.ScaleMode = "No Data Scaling Off"
@@ -177,13 +178,20 @@ def sized(window, view, reader, shown):
         chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
         if not chosen or not window.wait(lambda: str(shown.SelectOrientationVectors).strip("'") == choice, 5):
             failures.append("Direction By %s of Split Vector: %s" % (choice, shown.SelectOrientationVectors))
-    columns = session.source(session.poly_data(numpy.eye(3), **{name + axis: numpy.ones(3) for name in "fv" for axis in "xyz"}))
+    columns = session.source(session.poly_data(
+        numpy.eye(3), six=numpy.ones((3, 6)), nine=numpy.ones((3, 9)), **{name + axis: numpy.ones(3) for name in "fv" for axis in "xyz"}))
     joined = session.glyphs(columns, view, "Arrow")
     pv.SetActiveSource(columns)
     for choice in ("fx, fy, fz", "vx, vy, vz"):
         chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
         if not chosen or not window.wait(lambda: str(joined.SelectOrientationVectors).strip("'") == choice, 5):
             failures.append("Direction By %s of columns: %s" % (choice, joined.SelectOrientationVectors))
+    joined.GlyphShape = "Tensor Ellipsoid"
+    for array, ordered in (("six", True), ("nine", False)):
+        joined.GlyphTensorArray = array
+        pv.Render(view)
+        if not window.wait(lambda: ("Tensor Components" in window.labels("propertiesPanel")) == ordered, 5):
+            failures.append("Tensor Components of %s is %s" % (array, "hidden" if ordered else "shown"))
     pv.Delete(joined)
     pv.Delete(columns)
     pv.SetActiveSource(reader)
@@ -354,10 +362,11 @@ def reset(window, view, reader, shown):
     pv.Render(view)
     # The panel is filled when the window has time.
     clicked = window.wait(lambda: window.click("ScaleFactor/Reset"), 20)
-    done = clicked and window.wait(lambda: shown.ScaleFactor == suggested, 20)
+    said = "Scale Factor is now %.3g, chosen from the data" % suggested
+    done = clicked and window.wait(lambda: shown.ScaleFactor == suggested and window.text("statusbar") == said, 20)
     print("factor %s, after the click %s" % (suggested, shown.ScaleFactor))
     return [] if done and shown.ScaleFactorFromData else [
-        "the button %s; ScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.ScaleFactor, suggested)]
+        "the button %s; ScaleFactor is %s, not %s; said: %s" % ("was clicked" if clicked else "is not there", shown.ScaleFactor, suggested, window.text("statusbar"))]
 
 
 if __name__ == "__main__":

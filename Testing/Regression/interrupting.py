@@ -185,13 +185,13 @@ def aborted_capture(checks, window, view, shown, name, stop):
 def compiling(checks, window, view, shown):
     """While programs are compiled the window answers, and its progress bar says what it waits for."""
     told, toolbar, shape, mode = [], {}, shown.GlyphShape, shown.ShadingMode
-    shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Nested Superquadric", "Path Tracing", 16
+    shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Nested Superquadric", "Path Tracing", 4
     pv.Render(view)
     checks.true("compiling: no end of it", window.wait(
         lambda: told.append(window.text(BAR)) or toolbar.setdefault(window.text(SAMPLES), time.monotonic()) < 0.0 or not pending(shown), LIMIT))
     said = sorted(set(told))
     say("while programs were compiled and the image was refined the bar said %s" % said)
-    for text in ("Compiling", " of 16"):
+    for text in ("Compiling", " of 4"):
         checks.true("compiling: the progress bar did not say '%s' but %s" % (text, said), any(text in one for one in said))
     checks.true("compiling: the toolbar said %s, not 'Compiling'" % sorted(toolbar), "Compiling" in toolbar)
     # The time comes after two seconds, which not every driver takes.

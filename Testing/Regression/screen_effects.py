@@ -1,4 +1,4 @@
-"""What ParaView does to finished pictures leaves glyphs whole: FXAA every pixel, its ambient occlusion no stripes.
+"""What ParaView does to finished pictures leaves glyphs whole: FXAA every pixel, its ambient occlusion no stripes; lens and lines.
 
 Usage: pvpython screen_effects.py
 """
@@ -181,6 +181,23 @@ def lens(checks, stage):
     view.CameraFocalDistance = 0.0
 
 
+def outlines(checks, stage):
+    """Lines lie around what is sharp, and nowhere where a lens or motion blurs: the left ball stands, the right one moves."""
+    view = stage.view
+    data = session.poly_data(numpy.array([[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), velocity=numpy.array([[0.0, 0.0, 0.0], [0.5, 0.3, 0.0]]))
+    shown = stage.show(data, "Sphere", Orient=0, ScaleFactor=1.0, SamplesPerPixel=16, OutlineWidth=2.0, Ambient=1.0, Diffuse=0.0)
+    session.solid(shown, (0.9, 0.6, 0.3))
+    session.look(view, (0.0, 0.0, 6.0))
+    for what, focus, moves, wanted in (("sharp", 0.0, 0, [True, True]), ("a lens in focus", 6.0, 0, [True, True]), ("a lens out of focus", 5.0, 0, [False, False]),
+                                       ("motion", 0.0, 1, [True, False])):
+        view.CameraFocalDisk, view.CameraFocalDistance = 0.9, focus
+        shown.MotionBlur, shown.VelocityArray, shown.ShutterTime = moves, "velocity", 0.4
+        black = session.capture(view, "screen-effects-outlines")[..., :3].max(axis=2) < 60
+        found = [int(half.sum()) for half in (black[:, :120], black[:, 120:])]
+        checks.true("%s: lines of %s pixels" % (what, found), all(pixels > 150 if line else pixels == 0 for pixels, line in zip(found, wanted)))
+    view.CameraFocalDistance = 0.0
+
+
 def main():
     """All parts."""
     session.load()
@@ -189,6 +206,7 @@ def main():
     holes(checks, stage)
     kept(checks, stage)
     lens(checks, stage)
+    outlines(checks, stage)
     stage.hide()
     stripes(checks)
     checks.report()
