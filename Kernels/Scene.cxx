@@ -158,11 +158,12 @@ void Scene::SetImages(SetId id, const PeriodicImages& images)
   set.images = images;
 }
 
-void Scene::SetVisible(SetId id, bool visible)
+void Scene::SetVisible(SetId id, bool visible, bool keep)
 {
   GlyphSet& set = this->state_->Find(id);
   this->state_->topLevelChanged |= set.visible != visible;
   set.visible = visible;
+  set.kept = keep;
 }
 
 void Scene::SetSeen(SetId id, bool seen)
@@ -336,7 +337,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
 {
   for (auto& [id, set] : this->sets)
   {
-    if (!set.Shown())
+    if (!set.Shown() && !set.kept)
     {
       this->Withdraw(set);
       set.boxes = {};

@@ -37,8 +37,8 @@ struct Statistics
 
 /// The glyph sets of one view and their acceleration structures on one device.
 /// Setters only record; Commit() uploads and builds what has changed and nothing else. A set that is not visible holds
-/// no memory of the device. A Commit() that throws leaves the scene empty to tracers; the next one goes on where it
-/// stopped. Not thread-safe. All members throw rtg::Error and nothing else.
+/// no memory of the device unless it is kept. A Commit() that throws leaves the scene empty to tracers; the next one
+/// goes on where it stopped. Not thread-safe. All members throw rtg::Error and nothing else.
 class Scene
 {
 public:
@@ -57,7 +57,8 @@ public:
   void SetColours(SetId id, GlyphColours colours);
   void SetMaterial(SetId id, const Material& material);
   void SetImages(SetId id, const PeriodicImages& images);
-  void SetVisible(SetId id, bool visible);
+  /// `keep`: what of the set is on the device stays there, for it to be visible again at once.
+  void SetVisible(SetId id, bool visible, bool keep = false);
   /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
   void SetSeen(SetId id, bool seen);
 

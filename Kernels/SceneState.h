@@ -112,7 +112,8 @@ struct GlyphSet
   Material material;
   PeriodicImages images;
   bool visible = true;
-  bool seen = true; ///< by camera rays
+  bool kept = false; ///< on the device while it is not visible
+  bool seen = true;  ///< by camera rays
   bool translucentColours = false;
   bool translucentInstances = false;
   bool instancesChanged = false; ///< since they were placed

@@ -32,6 +32,9 @@ constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
 constexpr const char* Trail = "vtkRayTraced_Trail";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";
+/// Of each point that stands for several (GlyphReduction): their number, the sum of the areas of their glyphs, and the
+/// factor of its size. Missing otherwise.
+constexpr const char* Reduced = "vtkRayTraced_Reduced";
 /// Field data of each block: names of the arrays that some ranks have, and others, with points, have not. Missing where
 /// there is none.
 constexpr const char* PartialArrays = "vtkRayTraced_PartialArrays";

@@ -116,7 +116,7 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   this->GoodExponents = this->OwnExponents && MakeExponents(settings.Shape, settings.Exponents, 3, this->SameExponents);
 
   const bool tensors = sizes.GetTensors() != nullptr, scaledByComponents = sizes.ScalesByComponents();
-  const bool sizedByData = sizes.HasScales() || sizes.HasRadii() || tensors || sizes.GetForms();
+  const bool sizedByData = sizes.HasScales() || sizes.HasRadii() || tensors || sizes.GetForms() || sizes.IsReduced();
   const glm::dvec3& unit = settings.UnitSize;
   const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
   this->SameSizes = !sizedByData && sameSides;

@@ -97,6 +97,7 @@ rtglyphs::GlyphSizes::GlyphSizes(
   : rtglyphs::GlyphMagnitudes(points, settings, chosen)
   , Settings(settings)
   , RadiusArray(rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::RADIUS, points, settings))
+  , ReducedArray(points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::Reduced))
 {
 }
 
@@ -108,7 +109,7 @@ double rtglyphs::GlyphSizes::ArrowUnit() const
 }
 
 //----------------------------------------------------------------------------
-// The limits, and what a radius replaces.
+// The limits, what a radius replaces, and how much larger a glyph is that stands for several.
 void rtglyphs::GlyphSizes::Finish(vtkIdType point, Tuples& tuples, glm::dvec3& size) const
 {
   size = this->Settings.Sizing.Limited(size);
@@ -116,6 +117,7 @@ void rtglyphs::GlyphSizes::Finish(vtkIdType point, Tuples& tuples, glm::dvec3& s
   {
     size.y = size.z = this->Settings.Width(*tuples.Radii.Get(point));
   }
+  size *= tuples.Reduced.Has(point) ? tuples.Reduced.Get(point)[2] : 1.0;
 }
 
 //----------------------------------------------------------------------------

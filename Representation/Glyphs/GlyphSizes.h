@@ -100,12 +100,14 @@ public:
     explicit Tuples(const GlyphSizes& sizes)
       : GlyphMagnitudes::Tuples(sizes)
       , Radii(sizes.RadiusArray)
+      , Reduced(sizes.ReducedArray)
     {
     }
-    GlyphTuples Radii;
+    GlyphTuples Radii, Reduced;
   };
 
   bool HasRadii() const { return this->RadiusArray != nullptr; }
+  bool IsReduced() const { return this->ReducedArray != nullptr; }
 
   /**
    * Length of the arrow whose fixed head has the proportions of the unit arrow; 0: each glyph's width stands for it.
@@ -141,7 +143,7 @@ private:
   void Finish(vtkIdType point, Tuples& tuples, glm::dvec3& size) const;
 
   const GlyphSettings& Settings;
-  vtkDataArray* RadiusArray;
+  vtkDataArray *RadiusArray, *ReducedArray;
 };
 
 } // namespace rtglyphs

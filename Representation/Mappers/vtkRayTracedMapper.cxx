@@ -314,6 +314,10 @@ std::string vtkRayTracedMapper::WithoutCounts(const std::string& message)
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
+  if (this->Points && this->Points->GetPointData()->HasArray(rtglyphs::RayTracedArrays::Reduced))
+  {
+    return; // all points have the same
+  }
   std::copy_if(messages.begin(), messages.end(), std::back_inserter(this->NewMessages),
     [&reported](const std::string& message)
     {
@@ -354,6 +358,25 @@ void vtkRayTracedMapper::ReportSizes()
 }
 
 //----------------------------------------------------------------------------
+vtkRayTracedMapper::InstanceKey vtkRayTracedMapper::KeyOf(vtkActor* actor) const
+{
+  InstanceKey key;
+  for (vtkObject* input : this->InstanceInputs(this->Points))
+  {
+    key.Times.push_back(TimeOf(input));
+  }
+  key.Hidden = this->Hidden;
+  std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
+  return key;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedMapper::NeedsBuild(vtkActor* actor) const
+{
+  return this->Points && (this->HaveSettingsChanged() || !this->Built.Holds(this->KeyOf(actor)));
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedMapper::Update(vtkActor* actor)
 {
   vtkPolyData* points = this->GetPoints();
@@ -365,18 +388,11 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     return;
   }
 
-  InstanceKey key;
-  for (vtkObject* input : this->InstanceInputs(points))
-  {
-    key.Times.push_back(TimeOf(input));
-  }
-  key.Hidden = this->Hidden;
-  std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
   if (this->HaveSettingsChanged())
   {
     this->Built.Forget();
   }
-  this->Built.Update(std::move(key),
+  this->Built.Update(this->KeyOf(actor),
     [&]
     {
       rtg::Stopwatch watch;

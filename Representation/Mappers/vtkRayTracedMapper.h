@@ -75,10 +75,12 @@ public:
   ///@{
   /**
    * For the scene. Update() brings instances and colors up to date, whose versions then differ from all earlier ones of
-   * any mapper; it may throw std::bad_alloc and is then to be called again. TakeInstances() hands the instances over,
+   * any mapper; it may throw std::bad_alloc and is then to be called again. NeedsBuild() says whether it would build
+   * instances. TakeInstances() hands the instances over,
    * and builds them again for a second taker; GetInstances() is null when they have been taken.
    */
   void Update(vtkActor* actor);
+  bool NeedsBuild(vtkActor* actor) const;
   std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
   std::uint64_t GetColorVersion() const { return this->ColorVersion; }
   virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
@@ -124,6 +126,15 @@ public:
    */
   const std::string& GetMissingInput() const { return this->MissingInput; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the next frames show something else in its place, and soon it again: it is left out, and stays on the
+   * device. Default is false.
+   */
+  void SetAside(bool aside) { this->Aside = aside; }
+  bool IsAside() const { return this->Aside; }
   ///@}
 
   ///@{
@@ -259,7 +270,7 @@ protected:
   rtglyphs::RayTracedOriginalIds OriginalIds; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   std::string MissingInput;
-  bool InWindow = false;
+  bool InWindow = false, Aside = false;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
@@ -290,6 +301,7 @@ private:
     bool operator==(const ColorKey&) const = default;
   };
 
+  InstanceKey KeyOf(vtkActor* actor) const;
   void MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped);
   bool TakeValues(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped);
   void ReportSizes();

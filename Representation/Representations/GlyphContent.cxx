@@ -129,6 +129,26 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPoly
 }
 
 //----------------------------------------------------------------------------
+// Not where points have more than one glyph, or are chosen anyway.
+vtkDataObject* rtglyphs::GlyphContent::Reduce(vtkDataObject* data, const double bounds[6], double resolution)
+{
+  constexpr double most = 256.0; // cells along the longest side
+  vtkPolyData* points = this->Common.Blocks.GetPoints();
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const double longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  if (!points || !rtg::IsPositive(longest) || this->HasTrails() || settings.Mask.On || settings.OfVectors ||
+    settings.Parts() > 1 || this->Meshes.GetNumberOfMeshes() > 1 || !this->Beside(points, settings).empty())
+  {
+    return nullptr;
+  }
+  if (settings.Shape == rtg::Shape::Mesh && this->Meshes.GetMesh(0))
+  {
+    settings.Mesh = this->Meshes.GetExtents().front();
+  }
+  return this->Reduction.Get(data, this->Common.Blocks, settings, longest / std::max(most * resolution, 8.0));
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphContent::UpdateTensorRange(vtkPolyData* points)
 {
   using namespace rtglyphs::DataSummary;
@@ -276,7 +296,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   const bool trails = this->HasTrails();
   const int tableLayers = settings.TableSize - 1,
             layers = tableLayers + static_cast<int>(beside.size()) + (trails ? 1 : 0);
-  this->ResizeLayers(frame.Representation, frame.View, layers);
+  this->ResizeLayers(this->Layers, frame.Representation, frame.View, layers);
   for (int i = 0; i < layers; ++i)
   {
     this->Layers[i].Follow(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
@@ -313,6 +333,26 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
 }
 
 //----------------------------------------------------------------------------
+// Colors have the range of all data.
+void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, const rtglyphs::RayTracedBlocks* blocks)
+{
+  this->Common.Parts.Mapper->SetAside(blocks != nullptr);
+  this->Layers.SetAside(blocks != nullptr);
+  this->Reduced.SetAside(!blocks);
+  if (!blocks)
+  {
+    return;
+  }
+  this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
+  rtglyphs::GlyphLayers::Layer& layer = this->Reduced[0];
+  layer.Follow(*blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
+  layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));
+  layer.Mapper->SetTensorTable(this->TensorTable);
+  const double* range = &this->Common.Summary[rtglyphs::DataSummary::LEAST_OF_TENSORS];
+  layer.Mapper->SetTensorRange({ range[0], range[1] });
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& settings)
 {
   using namespace rtglyphs::DataSummary;
@@ -340,14 +380,15 @@ void rtglyphs::GlyphContent::Show(bool visible)
   this->RayTracedContent::Show(visible);
   this->Legend->SetVisibility(visible);
   this->Layers.SetVisibility(visible);
+  this->Reduced.SetVisibility(visible);
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphContent::ResizeLayers(
-  vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size)
+  rtglyphs::GlyphLayers& layers, vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size)
 {
   rtglyphs::RayTracedParts& parts = this->Common.Parts;
-  this->Layers.Resize(
+  layers.Resize(
     size,
     [=, &parts](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
     { parts.Add(representation, view, actor, mapper); },

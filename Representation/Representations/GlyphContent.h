@@ -10,6 +10,7 @@
 #include "GlyphHighScale.h"
 #include "GlyphLayers.h"
 #include "GlyphMeshes.h"
+#include "GlyphReduction.h"
 #include "GlyphSettings.h"
 #include "GlyphShapes.h"
 #include "GlyphTensorRange.h"
@@ -71,14 +72,21 @@ public:
   std::vector<GlyphSettings> GetAllSizes(vtkPolyData* points) override;
   void Deliver(vtkInformation* info, vtkPVDataRepresentation* representation, bool lod) override;
   bool IsTranslucent() const override;
+  vtkDataObject* Reduce(vtkDataObject* data, const double bounds[6], double resolution) override;
 
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
   void Configure(const Frame& frame) override;
+  void ShowReduced(const Frame& frame, const RayTracedBlocks* blocks) override;
   void Show(bool visible) override;
-  void SetLayerBounds(const double bounds[6]) override { this->Layers.SetKnownBounds(bounds); }
+  void SetLayerBounds(const double bounds[6]) override
+  {
+    this->Layers.SetKnownBounds(bounds);
+    this->Reduced.SetKnownBounds(bounds);
+  }
   void RemoveLayers(vtkPVDataRepresentation* representation, vtkPVRenderView* view) override
   {
-    this->ResizeLayers(representation, view, 0);
+    this->ResizeLayers(this->Layers, representation, view, 0);
+    this->ResizeLayers(this->Reduced, representation, view, 0);
   }
   vtkRayTracedLegend* GetLegend() { return this->Legend; }
 
@@ -92,7 +100,8 @@ private:
   void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
   void UpdateLegend(const GlyphSettings& settings);
-  void ResizeLayers(vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size);
+  void
+  ResizeLayers(GlyphLayers& layers, vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size);
 
   vtkNew<vtkGlyphLegend> Legend;
   bool ScaleFactorFromData = false;
@@ -102,6 +111,8 @@ private:
   GlyphTensorRange ShownRange;  // of what is delivered to be rendered
   GlyphMeshes Meshes;
   GlyphLayers Layers; // what stands beside the glyphs, further meshes of a table
+  GlyphReduction Reduction;
+  GlyphLayers Reduced; // at most one, instead of all others
 };
 
 } // namespace rtglyphs

@@ -36,6 +36,15 @@ void rtglyphs::GlyphLayers::SetVisibility(bool visible)
 }
 
 //----------------------------------------------------------------------------
+void rtglyphs::GlyphLayers::SetAside(bool aside)
+{
+  for (const auto& layer : this->Layers)
+  {
+    layer->Mapper->SetAside(aside);
+  }
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphLayers::SetKnownBounds(const double bounds[6])
 {
   for (const auto& layer : this->Layers)

@@ -41,6 +41,7 @@ public:
   Layer& operator[](std::size_t i) { return *this->Layers[i]; }
 
   void SetVisibility(bool visible);
+  void SetAside(bool aside);
   void SetKnownBounds(const double bounds[6]);
 
 private:

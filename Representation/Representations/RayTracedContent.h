@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkInformation;
 class vtkPVDataRepresentation;
 class vtkPVRenderView;
@@ -100,6 +101,19 @@ public:
   virtual void Show(bool visible) { this->Common.Key->SetVisibility(visible); }
   virtual void SetLayerBounds(const double /*bounds*/[6]) {}
   virtual void RemoveLayers(vtkPVDataRepresentation*, vtkPVRenderView*) {}
+  ///@}
+
+  ///@{
+  /**
+   * Less that shows nearly the same as Common.Blocks, those of `data`, within these bounds, for frames that must come
+   * at once; `resolution` is ParaView's, in [0, 1]. Null: there is none. And showing its blocks in place of what
+   * Configure() has configured; null: that.
+   */
+  virtual vtkDataObject* Reduce(vtkDataObject* /*data*/, const double /*bounds*/[6], double /*resolution*/)
+  {
+    return nullptr;
+  }
+  virtual void ShowReduced(const Frame&, const RayTracedBlocks* /*blocks*/) {}
   ///@}
 
 protected:

@@ -277,9 +277,9 @@ int vtkRayTracedRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int)
+vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int port)
 {
-  return this->Piece;
+  return port == 0 ? this->Piece : this->PieceLOD;
 }
 
 //----------------------------------------------------------------------------
@@ -289,7 +289,7 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   // The superclass would fill attributes of blocks for its mapper and for bounds, neither of which is used.
   if (std::exchange(this->BlockAttrChanged, false))
   {
-    this->AttributedData = nullptr;
+    this->Whole.Data = this->Part.Data = nullptr;
   }
   this->BlockAttributeTime.Modified();
   this->VisibleDataBoundsTime.Modified();
@@ -362,7 +362,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     this->Common.HasData = this->GetNumberOfInputConnections(0) > 0;
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     this->Piece = vtkPVView::GetPiece(inInfo, this);
-    this->UseBlocks(this->Piece);
+    this->UseBlocks(this->Piece, this->Common.Blocks, this->Whole);
     this->Content->Deliver(inInfo, this, /*lod=*/false);
     vtkPolyData* points = this->Common.Blocks.GetPoints();
     if (this->Common.HasData)
@@ -391,7 +391,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
-    // Glyphs are as quick to trace while the camera moves; they only must not be missing.
+    // Reduced where it is rendered: ParaView delivers a piece again only when the data have changed.
     vtkPVRenderView::SetPieceLOD(inInfo, this, this->Piece);
     this->Content->Deliver(inInfo, this, /*lod=*/true);
   }
@@ -405,15 +405,24 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
+// Null: the content has none.
+vtkDataObject* vtkRayTracedRepresentation::Reduce(vtkDataObject* data, double resolution)
+{
+  vtkPolyData* points = this->Common.Blocks.GetPoints();
+  return points && data ? this->Content->Reduce(data, this->GetDataBounds(points), resolution) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::UseBlocks(
+  vtkDataObject* data, rtglyphs::RayTracedBlocks& blocks, Attributed& attributed)
 {
   const vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (!this->AttributedData || data != this->AttributedData || time != this->AttributedTime)
+  if (!attributed.Data || data != attributed.Data || time != attributed.Time)
   {
-    this->PopulateBlockAttributes(this->BlockAttributes, data);
-    this->BlockAttributes->Modified();
-    this->AttributedData = data;
-    this->AttributedTime = time;
+    this->PopulateBlockAttributes(attributed.Blocks, data);
+    attributed.Blocks->Modified();
+    attributed.Data = data;
+    attributed.Time = time;
   }
   rtglyphs::RayTracedBlocks::Attributes common;
   rtglyphs::RayTracedBlocks::Coloring& scalars = common.Scalars;
@@ -430,7 +439,7 @@ void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
   auto* blocks = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
   scalars.MissingIsNan = blocks && blocks->GetColorMissingArraysWithNanColor();
 #endif
-  this->Common.Blocks.Update(data, this->BlockAttributes, common);
+  blocks.Update(data, attributed.Blocks, common);
 }
 
 //----------------------------------------------------------------------------
@@ -533,20 +542,43 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
   vtkDataObject* delivered =
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
+  vtkRayTracedScene* scene = this->GetScene();
+  const bool stepwise = scene->GetSettings().IsStepwise(), capture = ScreenshotState::Of(view);
   // A selection may come before new points have been delivered: it finds what is shown.
   if (delivered || !this->Piece)
   {
-    this->UseBlocks(delivered);
+    this->UseBlocks(delivered, this->Common.Blocks, this->Whole);
     parts.Mapper->SetBlocks(this->Common.Blocks);
   }
   vtkPolyData* points = parts.Mapper->GetPoints();
   const bool collective = this->IsCollective(inInfo);
-  vtkRayTracedScene* scene = this->GetScene();
-  parts.Mapper->SetInWindow(scene->GetSettings().IsStepwise());
-  this->Content->Configure({ inInfo, this, view, points, lod, collective, this->NeedsOrderedCompositing() });
+  parts.Mapper->SetInWindow(stepwise);
+  const rtglyphs::RayTracedContent::Frame frame{ inInfo, this, view, points, lod, collective,
+    this->NeedsOrderedCompositing() };
+  this->Content->Configure(frame);
+  // In a window fewer glyphs come first where many must be built.
+  const bool first = stepwise && !lod && !capture && !(this->ReducedFirst && scene->HasPicture()) && delivered &&
+    static_cast<double>(delivered->GetActualMemorySize()) > 1024.0 * view->GetLODRenderingThreshold() &&
+    parts.Mapper->NeedsBuild(parts.Actor);
+  this->PieceLOD = lod || first ? this->Reduce(delivered, view->GetLODResolution()) : nullptr;
+  const bool reduced = this->PieceLOD != nullptr;
+  this->ReducedFirst = reduced && first;
+  if (reduced)
+  {
+    this->UseBlocks(this->PieceLOD, this->Reduced, this->Part);
+    delivered = this->PieceLOD;
+    points = this->Reduced.GetPoints();
+  }
+  if (this->ReducedFirst)
+  {
+    scene->ExpectAnother();
+  }
+  this->Content->ShowReduced(frame, reduced ? &this->Reduced : nullptr);
   vtkNew<vtkPolyData> nothing;
   double bounds[6];
-  std::copy_n(this->GetDataBounds(points ? points : nothing.Get()), 6, bounds);
+  std::copy_n(reduced ? this->ReducedBounds.Get(points, this->Content->GetAllSizes(points), this->Reduced.GetHidden())
+                      : this->GetDataBounds(points ? points : nothing.Get()),
+    6, bounds);
   rtg::PeriodicImages images = this->MakeImages(points, delivered, collective);
   rtglyphs::ExtendBounds(images, bounds);
   // In an unbounded domain no sky is visible: light from any distance meets only what is shown.
@@ -557,7 +589,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   }
   this->SetPartBounds(bounds);
   *parts.Images = rtglyphs::Moved(images, parts.Actor->GetMatrix());
-  scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
+  scene->SetFrameKind(capture, collective, view->GetUseOrderedCompositing());
   parts.Mapper->SetDataStatistics({ this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(),
     this->GatherSeconds, this->Bounds.GetSeconds() });
 }

@@ -297,7 +297,7 @@ public:
   // vtkPVDataRepresentation
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
-  vtkDataObject* GetRenderedDataObject(int port) override;
+  vtkDataObject* GetRenderedDataObject(int port) override; // 1: what the last frame showed instead, or null
 
 protected:
   vtkRayTracedRepresentation();
@@ -333,9 +333,11 @@ private:
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
-  void UseBlocks(vtkDataObject* data);
+  struct Attributed;
+  void UseBlocks(vtkDataObject* data, rtglyphs::RayTracedBlocks& blocks, Attributed& attributed);
   rtg::PeriodicImages MakeImages(vtkDataObject* points, vtkDataObject* data, bool together);
   const double* GetDataBounds(vtkPolyData* points);
+  vtkDataObject* Reduce(vtkDataObject* data, double resolution);
 
   // The render side
   vtkPVRenderView* GetRenderView();
@@ -355,10 +357,17 @@ private:
   rtglyphs::RayTracedSelected Selected;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
-  vtkSmartPointer<vtkDataObject> Piece;                      // gathered, not yet delivered
-  vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
-  vtkDataObject* AttributedData = nullptr;                   // only to be compared
-  vtkMTimeType AttributedTime = 0;
+  vtkSmartPointer<vtkDataObject> Piece, PieceLOD; // gathered, not yet delivered
+  struct Attributed
+  {
+    vtkNew<vtkCompositeDataDisplayAttributes> Blocks; // of the data, as they were at that time
+    vtkDataObject* Data = nullptr;                    // only to be compared
+    vtkMTimeType Time = 0;
+  };
+  Attributed Whole, Part;            // of Common.Blocks, and of Reduced
+  rtglyphs::RayTracedBlocks Reduced; // of what the content makes for frames that must come at once
+  rtglyphs::GlyphBounds ReducedBounds;
+  bool ReducedFirst = false;                 // what the last frame at rest has shown
   bool Guarded = false, LacksMemory = false; // see WithinMemory()
   rtglyphs::RayTracedPeriodic Periodic;
   std::string PeriodicProblem; // that has been reported

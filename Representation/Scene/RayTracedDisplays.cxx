@@ -90,7 +90,7 @@ rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::functio
     vtkRayTracedMapper* mapper = display.Mapper;
     display.Shown = false;
     vtkActor* actor = display.Actor;
-    if (!actor || !actor->GetVisibility())
+    if (!actor || !actor->GetVisibility() || mapper->IsAside())
     {
       continue;
     }
@@ -204,7 +204,11 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
     const bool known = display.Scene == sceneNumber;
     if (!display.Shown)
     {
-      if (known)
+      if (known && mapper->IsAside() && display.Actor && display.Actor->GetVisibility())
+      {
+        scene.SetVisible(display.Set, false, /*keep=*/true);
+      }
+      else if (known)
       {
         scene.Remove(display.Set);
         display.Scene = 0;
@@ -217,6 +221,7 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
       display.Scene = sceneNumber;
       display.SentInstances = display.SentColors = display.SentMaterial = 0;
     }
+    scene.SetVisible(display.Set, true);
     if (display.SentInstances != mapper->GetInstanceVersion())
     {
       scene.SetInstances(display.Set, mapper->TakeInstances(display.Actor));

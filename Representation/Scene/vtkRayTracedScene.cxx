@@ -28,6 +28,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -72,6 +73,7 @@ struct vtkRayTracedScene::Internals
   rtglyphs::RayTracedImages Images;
   rtglyphs::RayTracedImageSettings Settings;
   bool Capture = false, Collective = false, Ordered = false; // of the next frames
+  bool ExpectsAnother = false;                               // after the next one
   std::string FeatureFile;
   rtglyphs::RayTracedPicker Picker;
   rtglyphs::RayTracedFXAA FXAA;
@@ -186,6 +188,24 @@ void vtkRayTracedScene::SetFrameKind(bool capture, bool collective, bool ordered
   this->Self->Capture = capture;
   this->Self->Collective = collective;
   this->Self->Ordered = ordered;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::ExpectAnother()
+{
+  this->Self->ExpectsAnother = true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedScene::HasPicture() const
+{
+  const std::vector<rtglyphs::RayTracedFrame::Drawn>& all = this->Self->Frame.GetAll();
+  return std::none_of(all.begin(), all.end(),
+    [](const auto& drawn)
+    {
+      const rtg::ProgressiveImage& image = drawn.Entry->Image;
+      return image.GetState() == rtg::ProgressiveImage::State::Growing && !image.HasPicture();
+    });
 }
 
 //----------------------------------------------------------------------------
@@ -457,6 +477,10 @@ void vtkRayTracedScene::EndFrame()
     frame.Progress = self.Frame.IsStopped() ? 1.0 : std::min(frame.Progress, image.Progress());
     frame.Samples = std::min(frame.Samples, state == State::Failed ? 0.0 : double(image.Samples()));
     finished &= state == State::Finished;
+  }
+  if (std::exchange(self.ExpectsAnother, false))
+  {
+    frame.Progress = frame.Samples = 0.0;
   }
   const bool interactive = self.Frame.GetKind().Interactive;
   self.Status.SetFrame(frame, self.HasOtherRanks() && !interactive);

@@ -72,6 +72,15 @@ public:
    */
   void SetFrameKind(bool capture, bool collective, bool ordered);
 
+  ///@{
+  /**
+   * Of the next frame: it shows something for the time being, and is not to be the last. And whether the last frame did
+   * not wait for programs.
+   */
+  void ExpectAnother();
+  bool HasPicture() const;
+  ///@}
+
   /**
    * The next finished image also leaves a file; see WriteFeatureImage.
    */

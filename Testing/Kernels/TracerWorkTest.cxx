@@ -66,6 +66,14 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 2u);
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 2u);
   EXPECT_EQ(this->scene.GetStatistics().sorts, first.sorts);
+
+  // Kept while it is hidden: nothing is sent again.
+  this->scene.SetVisible(id, false, true);
+  EXPECT_EQ(Coverage(this->Trace()), 0.0);
+  this->scene.SetVisible(id, true);
+  EXPECT_GT(Coverage(this->Trace()), 0.0);
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 2u);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 2u);
 }
 
 // As a further view does, or one that is made anew.
