@@ -317,11 +317,11 @@ def bad_input(view, checks):
         ("NaN radius", line_data([good], radius=numpy.array([1.0, 1.0, numpy.nan])), radii, ("1 of 2 pieces",), True),
         ("missing radii", line_data([good]), radii, ("'radius'", "TubeRadiusArray"), True),
         ("negative radius", line_data([good], radius=numpy.array([1.0, 1.0, -1.0])), radii, ("1 of 2 pieces", "negative"), True),
+        ("only zero variances", line_data([good], radius=numpy.zeros((3, 9))), radii, ("radii are zero",), False),
         ("negative variance", line_data([good], radius=numpy.array([[1.0, 1.0, 1.0, 0.0, 0.0, 0.0]] * 2 + [[1.0, -1.0, 1.0, 0.0, 0.0, 0.0]])), radii,
          ("1 of 2 pieces", "covariance"), True),
-        ("NaN variance", line_data([good], radius=numpy.array([[1.0] * 3 + [0.0] * 3] * 2 + [[numpy.nan] * 6])), radii, ("1 of 2 pieces",), True),
-        ("only zero variances", line_data([good], radius=numpy.zeros((3, 9))), radii, ("radii are zero",), False),
         ("no lines", polygons, {}, ("no lines",), False),
+        ("NaN variance", line_data([good], radius=numpy.array([[1.0] * 3 + [0.0] * 3] * 2 + [[numpy.nan] * 6])), radii, ("1 of 2 pieces",), True),
         ("no points", vtkPolyData(), {}, (), False),
         ("missing color", line_data([good]), {"ColorArrayName": ["POINTS", "nonesuch"]}, ("nonesuch",), True),
     )

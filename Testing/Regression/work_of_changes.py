@@ -168,7 +168,7 @@ FIELDS = {
                          ({}, "Illumination", "Uniform", "nothing")],
         "Shadows": [({}, "Shadows", 1, "image"), (PATHS, "Shadows", 1, "nothing")],
         "ShadowSoftness": [({"Shadows": 1}, "ShadowSoftness", 5.0, "image"), ({}, "ShadowSoftness", 5.0, "nothing")],
-        "GroundShadow": [(OCCLUSION, "GroundShadow", "Below", "image"), ({}, "GroundShadow", "Below", "nothing")],
+        "GroundShadow": [(OCCLUSION, "GroundShadow", "Below", "image"), ({}, "GroundShadow", "Below", "image")],  # programs compiled ahead have it
         "OutlineWidth": ({}, "OutlineWidth", 2.0, "display"),
         "OutlineColor": ({"OutlineWidth": 2.0}, "OutlineColor", [1.0, 0.0, 0.0], "display"),
         "DepthCue": ({}, "DepthCue", 0.5, "display"),
