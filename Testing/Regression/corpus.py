@@ -300,7 +300,7 @@ ROWS = (
     Row("Code_Aster, MED", lambda: vtu("aster.vtu", SIDES, 1.0, {
         "RESU____DEPL": (1e-3 * swirl(NODES), ("DX", "DY", "DZ")),
         "RESU____SIEF_NOEU": (stresses(NODES)[:, [0, 1, 2, 3, 5, 4]], ("SIXX", "SIYY", "SIZZ", "SIXY", "SIXZ", "SIYZ"))}),
-        {TENSOR: "RESU____SIEF_NOEU", DIRECTION: "RESU____DEPL"}, "Sign", 120, ("the names of its components", "90 % of the tensors have a negative eigenvalue, drawn as a positive one"), GlyphShape="Tensor Ellipsoid"),
+        {TENSOR: "RESU____SIEF_NOEU", DIRECTION: "None"}, "Sign", 120, ("the names of its components", "90 % of the tensors have a negative eigenvalue, drawn as a positive one"), GlyphShape="Tensor Ellipsoid"),
     Row("Gmsh, by meshio", lambda: vtu("gmsh.vtu", SIDES, 1.0, {"velocity": swirl(NODES)}, {"gmsh:physical": numpy.ones(60, int)}),
         {DIRECTION: "velocity"}, "velocity", 120),
     Row("deal.II", lambda: vtu("dealii.vtu", SIDES, 1.0, {"displacement": 1e-4 * swirl(NODES), "pressure": NODES[:, 1]},
