@@ -6,7 +6,7 @@ Usage: injection.py FOLDER [STEPS [PARTICLES [CHAMBER-TRIANGLES]]]
 FOLDER/injection_000.vtk, ... and FOLDER/injection.vtk.series: poly data of PARTICLES points (default 12,500), STEPS steps
 (default 60) of DT, with the arrays velocity, acceleration (both exact at the step's time), age (since injection) and id; a
 particle that leaves at the far end comes in again at the inlet under a new id. FOLDER/chamber.vtk: its wall, of about
-CHAMBER-TRIANGLES triangles (default 6,000), cut open towards +y. Binary legacy files; the same on every machine up to
+CHAMBER-TRIANGLES triangles (default 6,000), cut open toward +y. Binary legacy files; the same on every machine up to
 rounding (PCG64, fixed seed). The paper's Figure 5 shows such a scene (Zellmann et al., EGPGV 2020).
 
 The chamber is a tube of radius 1 from x = 0 to LENGTH with an inlet tube of radius INLET in the middle of its front. A
@@ -15,7 +15,7 @@ particle of relaxation time TAU feels Stokes drag only: dv/dt = (u(x, t) - v) / 
   measured in free jets (Pope, Turbulent Flows, 2000, section 5.1), plus a slow uniform flow to the far end;
 - turbulence-like eddies: MODES random Fourier modes, each solenoidal and of a frequency of its own, with amplitudes that
   fall with the wave number as k^(-5/6), so that the energy spectrum falls as k^(-5/3) (Kraichnan, Phys. Fluids 13, 1970),
-  faded out towards the wall and the inlet.
+  faded out toward the wall and the inlet.
 Classical fourth-order Runge-Kutta with SUBSTEPS steps a time step; particles are reflected at the wall.
 """
 import json

@@ -4,7 +4,7 @@
     odf.py FILE.vtk [SIDE]
 
 SIDE x SIDE x SIDE / 4 voxels (default 16: 1,024; 36: 11,664) of size 1. One bundle follows an arc, the other one runs straight through it;
-both fade out towards their edges into isotropic surroundings. In each voxel the diffusing molecules are a mixture of Gaussians, one for
+both fade out toward their edges into isotropic surroundings. In each voxel the diffusing molecules are a mixture of Gaussians, one for
 each bundle with the tensor D of eigenvalues 1.7, 0.2 and 0.2 and one with 0.7 three times (1e-3 mm^2/s), as in the multi-tensor model. The
 distribution of directions n of one Gaussian is (4 pi)^-1 |D|^(-1/2) (n^T D^-1 n)^(-3/2) (I. Aganj et al., "Reconstruction of the orientation
 distribution function in single- and multiple-shell q-ball imaging within constant solid angle", Magnetic Resonance in Medicine 64(2), 2010),

@@ -51,16 +51,16 @@ def pack(count, seed=1):
     placed, forms = [], []
     for radius in radii:
         for _ in range(10000):
-            centre = [radius + (1.0 - 2.0 * radius) * generator.random() for _ in range(3)]
-            at = [int(c / side) for c in centre]
+            center = [radius + (1.0 - 2.0 * radius) * generator.random() for _ in range(3)]
+            at = [int(c / side) for c in center]
             near = (other for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)
                     for other in cells.get((at[0] + i, at[1] + j, at[2] + k), ()))
-            if all(math.dist(centre, x) > radius + r for x, r in near):
+            if all(math.dist(center, x) > radius + r for x, r in near):
                 break
         else:
             raise SystemExit("There is no place for %d glyphs; %d have one. Ask for fewer." % (count, len(placed)))
-        cells.setdefault(tuple(at), []).append((centre, radius))
-        placed.append((centre, radius))
+        cells.setdefault(tuple(at), []).append((center, radius))
+        placed.append((center, radius))
         half = [2.0 ** -generator.random() for _ in range(3)]
         exponents = [LEAST * (MOST / LEAST) ** generator.random() for _ in range(3)]
         scale = radius / bounding_radius(half, exponents)
@@ -77,7 +77,7 @@ def main(path, count=1500):
 
     with open(path, "wb") as out:
         out.write(b"# vtk DataFile Version 3.0\nsuperquadrics that do not touch (packing.py)\nBINARY\nDATASET POLYDATA\n")
-        out.write(b"POINTS %d float\n" % count + numbers(centre for centre, _ in placed))
+        out.write(b"POINTS %d float\n" % count + numbers(center for center, _ in placed))
         out.write(b"POINT_DATA %d\nFIELD FieldData 3\n" % count)
         for i, (name, components) in enumerate(((b"exponents", 3), (b"lengths", 3), (b"quaternion", 4))):
             out.write(b"%s %d %d float\n" % (name, components, count) + numbers(form[i] for form in forms))

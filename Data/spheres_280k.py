@@ -38,20 +38,20 @@ def radius(count=COUNT):
 def spheres(count=COUNT):
     """Centers in the box [0, SIDE]^3 and velocities of length near 1, single precision."""
     generator = numpy.random.Generator(numpy.random.PCG64(20190923))
-    centres = generator.random((count, 3)) * SIDE
+    centers = generator.random((count, 3)) * SIDE
     velocities = generator.normal(size=(count, 3)) / 3.0**0.5
-    return centres.astype(numpy.float32), velocities.astype(numpy.float32)
+    return centers.astype(numpy.float32), velocities.astype(numpy.float32)
 
 
 def write(path, count=COUNT):
     """Writes the scene to path."""
-    centres, velocities = spheres(count)
+    centers, velocities = spheres(count)
     arrays = {
         "id": numpy.arange(count, dtype=numpy.int32)[:, None],
         "radius": numpy.full((count, 1), radius(count), dtype=numpy.float32),
         "velocity": velocities,
     }
-    write_vtk(path, "%d random spheres" % count, centres, arrays)
+    write_vtk(path, "%d random spheres" % count, centers, arrays)
 
 
 if __name__ == "__main__":

@@ -53,8 +53,8 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     glm::vec4 shown(0.0f);
     if (mean.a > 0.0f && !onGround)
     {
-      const glm::vec3 colour = glm::vec3(mean) / mean.a;
-      shown = glm::vec4(mapsTones ? shading::ToneMap(colour, linear, exposureFactor, toneMapping) : colour, mean.a);
+      const glm::vec3 color = glm::vec3(mean) / mean.a;
+      shown = glm::vec4(mapsTones ? shading::ToneMap(color, linear, exposureFactor, toneMapping) : color, mean.a);
     }
     if (!this->missingLight_.empty())
     {

@@ -256,13 +256,13 @@ private:
 void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const std::stop_token& stop)
 {
   const Filter filter(guides, means, stop);
-  const auto colourOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
+  const auto colorOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
   std::vector<Estimate> lights(means.size(), Estimate(0.0f));
   for (std::size_t i = 0; i < means.size(); ++i)
   {
     if (means[i].a > 0.0f && IsFinite(glm::vec3(means[i])))
     {
-      lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colourOf(i), 0.0f);
+      lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colorOf(i), 0.0f);
     }
   }
   filter.EstimateVariance(lights);
@@ -274,7 +274,7 @@ void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const 
   {
     if (means[i].a > 0.0f && filter.Known(i))
     {
-      means[i] = glm::vec4(glm::vec3(lights[i]) * colourOf(i) * means[i].a, means[i].a);
+      means[i] = glm::vec4(glm::vec3(lights[i]) * colorOf(i) * means[i].a, means[i].a);
     }
   }
 }

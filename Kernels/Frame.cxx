@@ -34,7 +34,7 @@ std::uint32_t RaysPerSample(const TraceSettings& settings)
 // How many layers of a translucent set show on a ray.
 std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
 {
-  if (record.coloured || (record.variants & device::OPACITIES) || record.opacity <= 0.0f)
+  if (record.colored || (record.variants & device::OPACITIES) || record.opacity <= 0.0f)
   {
     return device::LAYER_CAPACITY;
   }
@@ -94,7 +94,7 @@ std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, co
   {
     device::LightRecord record{};
     record.kind = static_cast<std::uint32_t>(light.kind);
-    record.colour = light.colour;
+    record.color = light.color;
     record.position = light.position - origin;
     record.direction = light.direction;
     record.attenuation = light.attenuation;
@@ -129,7 +129,7 @@ void CheckSettings(const TraceSettings& settings)
   check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
   for (int i = 0; i < 3; ++i)
   {
-    check("the environment color", settings.environmentColour[i], 0.0f, 1e30f);
+    check("the environment color", settings.environmentColor[i], 0.0f, 1e30f);
   }
   check("the slope of the sky's light", glm::length(settings.skySlope), 0.0f, 1.0001f);
   check("the lights' fraction", settings.lightFraction, 0.0f, 1.0f);
@@ -161,7 +161,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 {
   frame.width = settings.width;
   frame.height = settings.height;
-  frame.environment = settings.lightIntensity * shading::DisplayToLinear(settings.environmentColour);
+  frame.environment = settings.lightIntensity * shading::DisplayToLinear(settings.environmentColor);
   frame.skySlope = settings.skySlope;
   frame.lightFraction = settings.lightFraction;
   frame.albedoLimit = settings.albedoLimit;

@@ -35,7 +35,7 @@ void SetArrow(typename shapes::Kernel<Real>::Glyph& glyph, const ArrowForm& arro
 HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
 {
   HostShapes::Glyph glyph;
-  glyph.centre = glyph.centreLow = glm::vec3(0.0f);
+  glyph.center = glyph.centerLow = glm::vec3(0.0f);
   glyph.size = instances.SizeOf(i);
   glyph.sameSize = instances.sizes3.empty();
   glyph.turned = !instances.rotations.empty();
@@ -52,10 +52,10 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   return glyph;
 }
 
-glm::dvec3 Centre(const GlyphInstances& instances, std::size_t i)
+glm::dvec3 Center(const GlyphInstances& instances, std::size_t i)
 {
-  const glm::dvec3 centre(instances.centres[i]);
-  return instances.centresLow.empty() ? centre : centre + glm::dvec3(instances.centresLow[i]);
+  const glm::dvec3 center(instances.centers[i]);
+  return instances.centersLow.empty() ? center : center + glm::dvec3(instances.centersLow[i]);
 }
 
 // A float that is not above the value, at most two ulps below. Without glm::abs, which branches on the sign.
@@ -92,7 +92,7 @@ struct Subject
 };
 
 // The boxes of single glyphs are relative to their centers.
-DoubleBox MeshBox(const DoubleBox& form, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
+DoubleBox MeshBox(const DoubleBox& form, const HostShapes::Glyph& glyph, const glm::dvec3& center)
 {
   const glm::dvec3 middle = 0.5 * (form.lower + form.upper);
   const glm::dvec3 reach = 0.5 * (form.upper - form.lower);
@@ -110,15 +110,15 @@ DoubleBox MeshBox(const DoubleBox& form, const HostShapes::Glyph& glyph, const g
   // A few ulps for the roundings of the device's own transform.
   const glm::dvec3 half =
     1.000001 * (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y + glm::abs(linear[2]) * reach.z) +
-    1e-6 * (glm::abs(centre + offset) + glm::length(offset));
+    1e-6 * (glm::abs(center + offset) + glm::length(offset));
   return { offset - half, offset + half };
 }
 
-DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
+DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const glm::dvec3& center)
 {
   if (subject.instances.shape == Shape::Mesh)
   {
-    return MeshBox(subject.form, glyph, centre);
+    return MeshBox(subject.form, glyph, center);
   }
   glm::vec3 lower, upper;
   HostShapes::GlyphBounds(subject.instances.shape, glyph, lower, upper);
@@ -135,11 +135,11 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
 {
   const GlyphInstances& instances = subject.instances;
   const HostShapes::Glyph still = GlyphAtZero(instances, i);
-  const glm::dvec3 centre = Centre(instances, i);
+  const glm::dvec3 center = Center(instances, i);
   const glm::dquat rotation(still.rotation.w, still.rotation.x, still.rotation.y, still.rotation.z);
   HostShapes::Glyph upright = still;
   upright.turned = false;
-  const DoubleBox own = StillBox(subject, upright, centre);
+  const DoubleBox own = StillBox(subject, upright, center);
   const double radius = glm::length(glm::max(glm::abs(own.lower), glm::abs(own.upper)));
   const DoubleBox ball{ glm::dvec3(-radius), glm::dvec3(radius) };
 
@@ -153,7 +153,7 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
     turned.turned = true;
     const glm::dquat turn = instances.motion.Turn(i, first + (last - first) * piece / pieces) * rotation;
     turned.rotation = glm::vec4(turn.x, turn.y, turn.z, turn.w);
-    box.Include(StillBox(subject, turned, centre));
+    box.Include(StillBox(subject, turned, center));
   }
   const double deviation = radius * (0.5 * angle / pieces);
   return { glm::max(box.lower - deviation, ball.lower), glm::min(box.upper + deviation, ball.upper) };
@@ -161,7 +161,7 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
 
 DoubleBox StillBox(const Subject& subject, std::size_t i)
 {
-  return StillBox(subject, GlyphAtZero(subject.instances, i), Centre(subject.instances, i));
+  return StillBox(subject, GlyphAtZero(subject.instances, i), Center(subject.instances, i));
 }
 
 DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double last)
@@ -195,8 +195,8 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
     [&](std::size_t i)
     {
       const DoubleBox box = moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, i);
-      const glm::dvec3 centre = Centre(instances, i);
-      boxes[i] = { RoundDown(centre + box.lower), RoundUp(centre + box.upper) };
+      const glm::dvec3 center = Center(instances, i);
+      boxes[i] = { RoundDown(center + box.lower), RoundUp(center + box.upper) };
     });
   return boxes;
 }
@@ -213,11 +213,11 @@ std::vector<Box> ListedBoxes(const GlyphInstances& instances)
 }
 
 // As of any other glyph.
-Box BallBox(const glm::vec3& centre, const glm::vec3& centreLow, float size)
+Box BallBox(const glm::vec3& center, const glm::vec3& centerLow, float size)
 {
   const float reach = 0.5f * size;
   const double half = reach + roundings * std::abs(reach);
-  const glm::dvec3 middle = glm::dvec3(centre) + glm::dvec3(centreLow);
+  const glm::dvec3 middle = glm::dvec3(center) + glm::dvec3(centerLow);
   return { RoundDown(middle - half), RoundUp(middle + half) };
 }
 

@@ -22,8 +22,8 @@ bool AreBalls(const GlyphInstances& instances);
 /// GlyphBoxes() for a BoxReader: none of balls.
 std::vector<Box> ListedBoxes(const GlyphInstances& instances);
 
-/// The box of a ball about `centre`, which is the sum of two.
-Box BallBox(const glm::vec3& centre, const glm::vec3& centreLow, float size);
+/// The box of a ball about `center`, which is the sum of two.
+Box BallBox(const glm::vec3& center, const glm::vec3& centerLow, float size);
 
 /// Boxes that are read one by one: of a list, or of the balls of instances, which are computed when they are read. A
 /// list of the boxes of many balls would take more memory than the balls. Lists and instances must stay.
@@ -65,8 +65,8 @@ private:
   }
   Box BallBoxAt(std::size_t i) const
   {
-    const glm::vec3 low = this->balls_->centresLow.empty() ? glm::vec3(0.0f) : this->balls_->centresLow[i];
-    return BallBox(this->balls_->centres[i], low, this->BallSize(i));
+    const glm::vec3 low = this->balls_->centersLow.empty() ? glm::vec3(0.0f) : this->balls_->centersLow[i];
+    return BallBox(this->balls_->centers[i], low, this->BallSize(i));
   }
 
   const std::vector<Box>* boxes_ = nullptr;

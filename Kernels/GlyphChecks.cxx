@@ -78,9 +78,9 @@ void CheckFinite(const char* words, const std::vector<T>& values)
 }
 
 // Throws unless every array has an entry a glyph or none.
-void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
+void CheckLengths(const GlyphInstances& instances, const GlyphColors& colors)
 {
-  ForEachArray(instances, colours,
+  ForEachArray(instances, colors,
     [&](std::size_t, std::uint32_t, const auto& values, const char* words)
     {
       if (!values.empty() && values.size() != instances.Count())
@@ -168,7 +168,7 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   {
     Fail("glyphs have sizes along three axes and single ones; give one kind of them.");
   }
-  if (instances.surfaceColours == GlyphInstances::SurfaceColours::Sign && instances.shape != Shape::Polynomial)
+  if (instances.surfaceColors == GlyphInstances::SurfaceColors::Sign && instances.shape != Shape::Polynomial)
   {
     Fail("glyphs are to be colored by the sign of a polynomial, which their shape does not have; choose other colors.");
   }
@@ -196,17 +196,17 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   {
     CheckExponents(instances);
   }
-  CheckFinite("centers", instances.centres);
-  CheckFinite("low parts of centers", instances.centresLow);
+  CheckFinite("centers", instances.centers);
+  CheckFinite("low parts of centers", instances.centersLow);
   CheckFinite("rotations", instances.rotations);
 }
 
-void CheckColours(const GlyphInstances& instances, const GlyphColours& colours)
+void CheckColors(const GlyphInstances& instances, const GlyphColors& colors)
 {
-  CheckLengths(instances, colours);
-  if (!colours.table.empty() && colours.table.size() < 3)
+  CheckLengths(instances, colors);
+  if (!colors.table.empty() && colors.table.size() < 3)
   {
-    Fail("the values at the ends of glyphs have a table of ", colours.table.size(),
+    Fail("the values at the ends of glyphs have a table of ", colors.table.size(),
       " colors; it must have 3 or more, the last two of which are those of NaN and of a missing "
       "value.");
   }
@@ -226,8 +226,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
     }
   };
   fits("normals", mesh->normals.size(), mesh->positions.size());
-  fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
-  fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
+  fits("colors of positions", mesh->positionColors.size(), mesh->positions.size());
+  fits("colors of triangles", mesh->triangleColors.size(), mesh->triangles.size());
   fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
   fits("velocities", mesh->motion.velocities.size(), mesh->positions.size());
   fits("accelerations", mesh->motion.accelerations.size(), mesh->positions.size());
@@ -241,8 +241,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   };
   // Three corners each; and the table of colors lies behind the values.
   holds("triangles", mesh->triangles.size(), most / 3);
-  holds("positions", mesh->positions.size(), most - std::min(most, mesh->valueColours.size()));
-  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 3)
+  holds("positions", mesh->positions.size(), most - std::min(most, mesh->valueColors.size()));
+  if (!mesh->positionValues.empty() && mesh->valueColors.size() < 3)
   {
     Fail("the mesh has values of positions, but no table of colors for them.");
   }

@@ -14,7 +14,7 @@ namespace rtg
 void CheckInstances(const GlyphInstances& instances, std::size_t most);
 
 /// Likewise of the colors of these glyphs.
-void CheckColours(const GlyphInstances& instances, const GlyphColours& colours);
+void CheckColors(const GlyphInstances& instances, const GlyphColors& colors);
 
 /// Likewise of a cut.
 void CheckSection(const Section& section);

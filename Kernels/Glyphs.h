@@ -123,12 +123,12 @@ struct GlyphInstances
   /// Shape::Mesh only: images name the triangle, not the glyph; for surfaces, which are a single glyph.
   bool identifyTriangles = false;
 
-  /// World position that `centres` are relative to; chosen near the data, subtracted in double.
+  /// World position that `centers` are relative to; chosen near the data, subtracted in double.
   glm::dvec3 origin{ 0.0 };
-  std::vector<glm::vec3> centres;
+  std::vector<glm::vec3> centers;
   /// Low part of each center, lost by rounding to float, or empty: for sets that extend so far that a float is not
   /// right to 1e-6 of a glyph's size.
-  std::vector<glm::vec3> centresLow;
+  std::vector<glm::vec3> centersLow;
 
   /// World size of a unit glyph: full extents along its axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
@@ -148,7 +148,7 @@ struct GlyphInstances
   glm::vec3 uniformExponents{ 2.0f };
 
   /// Coefficients f of a quadratic form in each glyph's own frame, of any scale, or empty. Where there are any, a point
-  /// at p from the glyph's center, in its frame, has Material::positiveColour or negativeColour by the sign of f.x
+  /// at p from the glyph's center, in its frame, has Material::positiveColor or negativeColor by the sign of f.x
   /// p.x^2 + f.y p.y^2 + f.z p.z^2, in place of the glyphs' colors; their opacity stays. Not for Shape::Mesh.
   std::vector<glm::vec3> forms;
 
@@ -157,13 +157,13 @@ struct GlyphInstances
   GlyphTuples polynomials;
   int polynomialDegree = 0;
   /// Color rule of a point of a glyph's surface, in place of the glyphs' colors; their opacity stays.
-  enum class SurfaceColours : std::uint32_t
+  enum class SurfaceColors : std::uint32_t
   {
     None,
-    Sign,     ///< of the polynomial, in Material::positiveColour or negativeColour. Shape::Polynomial only
+    Sign,     ///< of the polynomial, in Material::positiveColor or negativeColor. Shape::Polynomial only
     Direction ///< red, green and blue: |x|, |y|, |z| of the unit vector from the glyph's center. None of Shape::Mesh
   };
-  SurfaceColours surfaceColours = SurfaceColours::None;
+  SurfaceColors surfaceColors = SurfaceColors::None;
 
   /// In [0, 1], times Material::opacity and the alpha of colors; or empty.
   std::vector<float> opacities;
@@ -175,7 +175,7 @@ struct GlyphInstances
 
   GlyphMotion motion;
 
-  std::size_t Count() const { return centres.size(); }
+  std::size_t Count() const { return centers.size(); }
   glm::vec3 SizeOf(std::size_t glyph) const
   {
     return !this->sizes3.empty() ? this->sizes3[glyph]
@@ -191,34 +191,34 @@ inline bool IsTranslucent(const GlyphInstances& instances)
     (instances.shape == Shape::Mesh && instances.mesh && IsTranslucent(*instances.mesh));
 }
 
-/// Colors of one set, RGBA8 with red in the lowest byte, or none for Material::colour.
-struct GlyphColours
+/// Colors of one set, RGBA8 with red in the lowest byte, or none for Material::color.
+struct GlyphColors
 {
   /// One a glyph in the order of GlyphInstances, or empty. White leaves glyphs with GlyphInstances::forms the two
-  /// colors of those, and others those of GlyphInstances::surfaceColours.
+  /// colors of those, and others those of GlyphInstances::surfaceColors.
   std::vector<std::uint32_t> each;
   /// Shape::RoundCone, Shape::SweptEllipsoid: one at the end at -x and one at that at +x of each glyph, linear between.
   /// Shape::Polynomial: one at its center and one at the distance of half its size from it, linear between. No others.
-  /// With a table they are the bits of floats, whose colors the table has as TriangleMesh::valueColours has those of
+  /// With a table they are the bits of floats, whose colors the table has as TriangleMesh::valueColors has those of
   /// positions. Where `each` is there, too, only white leaves the color to them, and both opacities count.
   std::vector<glm::uvec2> ends;
   std::vector<std::uint32_t> table;
 
-  GlyphColours() = default;
-  GlyphColours(std::vector<std::uint32_t> ofGlyphs)
+  GlyphColors() = default;
+  GlyphColors(std::vector<std::uint32_t> ofGlyphs)
     : each(std::move(ofGlyphs))
   {
   }
   bool Empty() const { return this->each.empty() && this->ends.empty(); }
-  bool operator==(const GlyphColours&) const = default;
+  bool operator==(const GlyphColors&) const = default;
 };
 
 /// Whether some of them are not opaque.
-inline bool AnyTranslucent(const GlyphColours& colours)
+inline bool AnyTranslucent(const GlyphColors& colors)
 {
-  const bool plainEnds = colours.table.empty();
-  return AnyTranslucent(colours.each) || AnyTranslucent(colours.table) ||
-    std::any_of(colours.ends.begin(), colours.ends.end(),
+  const bool plainEnds = colors.table.empty();
+  return AnyTranslucent(colors.each) || AnyTranslucent(colors.table) ||
+    std::any_of(colors.ends.begin(), colors.ends.end(),
       [plainEnds](const glm::uvec2& ends) { return plainEnds && ((ends.x & ends.y) >> 24) != 255u; });
 }
 
@@ -244,7 +244,7 @@ struct Section
   /// Each glyph takes the cut that it has at time 0 along on its path, as it rotates; else the cut stands still. For
   /// the motion of a mesh's own positions it stands still.
   bool moves = false;
-  std::optional<glm::vec3> capColour; ///< instead of the glyphs' colors
+  std::optional<glm::vec3> capColor; ///< instead of the glyphs' colors
 
   bool operator==(const Section&) const = default;
 };
@@ -263,17 +263,17 @@ struct PeriodicImages
 /// ParaView's surface appearance. Colors are as the lookup table gives them (display-referred).
 struct Material
 {
-  glm::vec3 colour{ 1.0f };        ///< diffuse color of glyphs without their own
-  glm::vec3 ambientColour{ 1.0f }; ///< ambient color of glyphs without their own
-  glm::vec3 specularColour{ 1.0f };
-  glm::vec3 positiveColour{ 1.0f }; ///< where GlyphInstances::forms, or polynomials, are zero or more
-  glm::vec3 negativeColour{ 1.0f }; ///< where they are less
-  float ambient = 0.0f;             ///< [0, 1]
-  float diffuse = 1.0f;             ///< [0, 1]
-  float specular = 0.0f;            ///< [0, 1]
-  float specularPower = 100.0f;     ///< [0, 128] as vtkProperty
-  float opacity = 1.0f;             ///< [0, 1]; times a glyph color's alpha
-  bool lighting = true;             ///< false: the plain color, as vtkProperty::LightingOff
+  glm::vec3 color{ 1.0f };        ///< diffuse color of glyphs without their own
+  glm::vec3 ambientColor{ 1.0f }; ///< ambient color of glyphs without their own
+  glm::vec3 specularColor{ 1.0f };
+  glm::vec3 positiveColor{ 1.0f }; ///< where GlyphInstances::forms, or polynomials, are zero or more
+  glm::vec3 negativeColor{ 1.0f }; ///< where they are less
+  float ambient = 0.0f;            ///< [0, 1]
+  float diffuse = 1.0f;            ///< [0, 1]
+  float specular = 0.0f;           ///< [0, 1]
+  float specularPower = 100.0f;    ///< [0, 128] as vtkProperty
+  float opacity = 1.0f;            ///< [0, 1]; times a glyph color's alpha
+  bool lighting = true;            ///< false: the plain color, as vtkProperty::LightingOff
 
   // Path tracing only, with vtkProperty's meaning; `specular` is then Burley's (0.5: glass, plastic), `ambient`
   // light that the surface gives off.
@@ -282,7 +282,7 @@ struct Material
   float coatStrength = 0.0f;  ///< [0, 1]
   float coatRoughness = 0.0f; ///< [0, 1]
   float coatIor = 2.0f;       ///< refractive index, >= 1
-  glm::vec3 coatColour{ 1.0f };
+  glm::vec3 coatColor{ 1.0f };
 
   Section section;
 
@@ -299,7 +299,7 @@ struct Light
     Positional = 2   ///< from `position`, with attenuation; a spot when coneAngle < 90
   };
   Kind kind = Kind::Headlight;
-  glm::vec3 colour{ 1.0f };         ///< diffuse color times intensity
+  glm::vec3 color{ 1.0f };          ///< diffuse color times intensity
   glm::dvec3 position{ 0.0 };       ///< Positional only
   glm::vec3 direction{ 0, 0, -1 };  ///< unit, in which the light travels; Directional and spots
   glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic

@@ -75,17 +75,17 @@ struct GlyphSetRecord
   uint setId;
   uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
-  uint translucent;                   // belongs to the translucent pass
-  uint mask;                          // one bit of instance masks
-  uint coloured;                      // glyphs have colors of their own, also in ambient light
-  RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialized
-  uint colourTableSize;
+  uint translucent;                  // belongs to the translucent pass
+  uint mask;                         // one bit of instance masks
+  uint colored;                      // glyphs have colors of their own, also in ambient light
+  RTG_ADDRESS(UintArray) colorTable; // of values at ends, when specialized
+  uint colorTableSize;
   float coatReflectance; // of the coat at normal incidence
   // Of mesh glyphs, with positions relative to the middle of the mesh
   RTG_ADDRESS(Vec3Array) meshPositions;
   RTG_ADDRESS(UintArray) meshTriangles;  // three a triangle
   RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialized, as velocities and accelerations
-  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialized)
+  RTG_ADDRESS(UintArray) meshColors;     // by position or by triangle, or values and their table, or none (specialized)
   RTG_ADDRESS(Vec3Array) meshVelocities; // MeshTree.h
   RTG_ADDRESS(Vec3Array) meshAccelerations;
   uint meshValueCount; // values of positions, behind which the table lies
@@ -103,14 +103,14 @@ struct GlyphSetRecord
   uint sectionSlabs;
   uint sectionKeepsInside; // of the body, else what is outside it
   uint sectionFaces;       // rtg::Section::Faces
-  uint sectionColours;     // caps have the color
-  vec3 sectionColour;
+  uint sectionColors;      // caps have the color
+  vec3 sectionColor;
 };
 
 struct LightRecord
 {
   uint kind; // 0 headlight, 1 directional, 2 positional
-  vec3 colour;
+  vec3 color;
   vec3 position; // relative to the scene's origin
   vec3 direction;
   vec3 attenuation;
@@ -124,9 +124,9 @@ struct LightRecord
 // A pixel's sums, when samples will be added later.
 struct PixelSums
 {
-  vec3 colour;    // of the samples that hit: color times opacity, as a sum of two floats
-  vec3 colourLow; // what rounding has left of it
-  float opacity;  // likewise
+  vec3 color;    // of the samples that hit: color times opacity, as a sum of two floats
+  vec3 colorLow; // what rounding has left of it
+  float opacity; // likewise
   float opacityLow;
   float missing;     // of the light on the ground, where it is visible: not in the opacity
   float depth;       // view depth of the nearest sample that hit; of the center's, negated, if that hit
@@ -185,7 +185,7 @@ struct FrameRecord
   uint setCount;
   uint layerLimit; // layers beyond which nothing shows, or as many as one traversal gathers
   RTG_ADDRESS(LightRecords) lights;
-  RTG_ADDRESS(UintImage) colour;
+  RTG_ADDRESS(UintImage) color;
   RTG_ADDRESS(FloatImage) depth;
   RTG_ADDRESS(UintImage) setIds;
   RTG_ADDRESS(UintImage) glyphIds;
@@ -200,7 +200,7 @@ struct FrameRecord
   vec3 right;
   vec3 up;
   vec3 viewPosition; // the eye, for specular highlights
-  vec3 viewAxis;     // unit, towards the viewer
+  vec3 viewAxis;     // unit, toward the viewer
   float nearDepth;
   float farDepth;
   float depthA;

@@ -64,8 +64,8 @@ void ImageBuffers::ClearSums()
 void ImageBuffers::Fill(device::FrameRecord& frame) const
 {
   const std::size_t bytes = this->pixels_ * sizeof(std::uint32_t);
-  frame.colour = this->words_.Address();
-  frame.depth = frame.colour + bytes;
+  frame.color = this->words_.Address();
+  frame.depth = frame.color + bytes;
   frame.setIds = frame.depth + bytes;
   frame.glyphIds = frame.setIds + bytes;
   frame.sums = this->sums_.Address();
@@ -85,7 +85,7 @@ void ImageBuffers::Show(Image& image, const Tiling& tiling)
     this->ShowShare(words, tiling);
     words = this->shareShown_.data();
   }
-  image.colour = image.traced = words;
+  image.color = image.traced = words;
   image.depth = reinterpret_cast<const float*>(words + this->pixels_);
   image.setIds = words + 2 * this->pixels_;
   image.glyphIds = words + 3 * this->pixels_;
@@ -143,7 +143,7 @@ std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples, std::vector<fl
       const auto* sums = static_cast<const device::PixelSums*>(read);
       std::transform(sums, sums + this->pixels_, means.begin(),
         [samples](const device::PixelSums& sum)
-        { return glm::vec4(sum.colour, sum.opacity) / static_cast<float>(samples); });
+        { return glm::vec4(sum.color, sum.opacity) / static_cast<float>(samples); });
       if (missingLight)
       {
         missingLight->resize(this->pixels_);

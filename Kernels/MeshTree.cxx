@@ -45,29 +45,29 @@ DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime)
   return bounds;
 }
 
-CentredMesh Centre(const TriangleMesh& mesh, const GlyphMotion& shutter)
+CenteredMesh Center(const TriangleMesh& mesh, const GlyphMotion& shutter)
 {
-  CentredMesh centred;
+  CenteredMesh centered;
   const DoubleBox bounds = BoundsOf(mesh, shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
-  centred.middle = glm::vec3(0.5 * (bounds.lower + bounds.upper));
-  centred.positions = mesh.positions;
-  for (glm::vec3& position : centred.positions)
+  centered.middle = glm::vec3(0.5 * (bounds.lower + bounds.upper));
+  centered.positions = mesh.positions;
+  for (glm::vec3& position : centered.positions)
   {
-    position -= centred.middle;
+    position -= centered.middle;
   }
-  const glm::dvec3 middle(centred.middle);
+  const glm::dvec3 middle(centered.middle);
   const glm::dvec3 reach = glm::max(glm::abs(bounds.lower - middle), glm::abs(bounds.upper - middle));
   // The positions have been rounded.
-  centred.radius = static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(middle));
-  return centred;
+  centered.radius = static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(middle));
+  return centered;
 }
 
-MeshTree BuildMeshTree(const TriangleMesh& mesh, const CentredMesh& centred, const GlyphMotion& shutter)
+MeshTree BuildMeshTree(const TriangleMesh& mesh, const CenteredMesh& centered, const GlyphMotion& shutter)
 {
   constexpr std::size_t trianglesPerLeaf = 2;
   MeshTree tree;
-  const TrianglePaths paths{ centred.positions, mesh };
-  const double padding = SlabPadding(centred.radius);
+  const TrianglePaths paths{ centered.positions, mesh };
+  const double padding = SlabPadding(centered.radius);
   const auto boxesBetween = [&](double first, double last)
   {
     std::vector<Box> boxes(mesh.triangles.size());

@@ -28,7 +28,7 @@ struct TrianglePaths
 DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);
 
 /// A mesh's positions relative to its middle.
-struct CentredMesh
+struct CenteredMesh
 {
   glm::vec3 middle{ 0.0f };
   float radius = 0.0f; ///< of the ball round the middle that holds all triangles all the time
@@ -36,7 +36,7 @@ struct CentredMesh
 };
 
 /// `shutter` says when the shutter is open.
-CentredMesh Centre(const TriangleMesh& mesh, const GlyphMotion& shutter);
+CenteredMesh Center(const TriangleMesh& mesh, const GlyphMotion& shutter);
 
 /// A GlyphTree over triangles, all slices with the triangles in the order of the opening's middle.
 struct MeshTree
@@ -45,6 +45,6 @@ struct MeshTree
   std::vector<std::uint32_t> order; ///< place in the tree -> triangle
 };
 
-MeshTree BuildMeshTree(const TriangleMesh& mesh, const CentredMesh& centred, const GlyphMotion& shutter);
+MeshTree BuildMeshTree(const TriangleMesh& mesh, const CenteredMesh& centered, const GlyphMotion& shutter);
 
 } // namespace rtg

@@ -42,7 +42,7 @@ void Keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept)
 // A surface is a glyph of size 1 at its set's origin.
 std::shared_ptr<const TriangleMesh> Cut(const GlyphInstances& instances, const DoubleBox& region)
 {
-  const glm::dvec3 place = instances.origin + glm::dvec3(instances.centres.front());
+  const glm::dvec3 place = instances.origin + glm::dvec3(instances.centers.front());
   const DoubleBox near{ region.lower - place, region.upper - place };
   auto mesh = std::make_shared<TriangleMesh>(*instances.mesh);
   const GlyphMotion& shutter = instances.motion;
@@ -70,10 +70,10 @@ std::shared_ptr<const TriangleMesh> Cut(const GlyphInstances& instances, const D
     }
   }
   Keep(mesh->triangles, triangles);
-  Keep(mesh->triangleColours, triangles);
+  Keep(mesh->triangleColors, triangles);
   Keep(mesh->positions, positions);
   Keep(mesh->normals, positions);
-  Keep(mesh->positionColours, positions);
+  Keep(mesh->positionColors, positions);
   Keep(mesh->positionValues, positions);
   Keep(mesh->motion.velocities, positions);
   Keep(mesh->motion.accelerations, positions);
@@ -177,17 +177,17 @@ private:
 };
 
 // All of a set but its mesh, with a Writer or a Reader: one order for both.
-template <class Instances, class Colours, class Transfer>
-void Visit(Instances& instances, Colours& colours, Transfer& transfer)
+template <class Instances, class Colors, class Transfer>
+void Visit(Instances& instances, Colors& colors, Transfer& transfer)
 {
 #define RTG_TRANSFER(type, name, value) transfer(value);
   RTG_GLYPH_NUMBERS(RTG_TRANSFER)
 #undef RTG_TRANSFER
   transfer(instances.polynomials.width);
   transfer(instances.origin);
-  transfer(colours.table);
+  transfer(colors.table);
   ForEachArray(
-    instances, colours, [&](std::size_t, std::uint32_t, auto& values, const char*) { transfer.OfGlyphs(values); });
+    instances, colors, [&](std::size_t, std::uint32_t, auto& values, const char*) { transfer.OfGlyphs(values); });
 }
 
 template <class Mesh, class Transfer>
@@ -196,10 +196,10 @@ void VisitMesh(Mesh& mesh, Transfer& transfer)
   transfer(mesh.positions);
   transfer(mesh.triangles);
   transfer(mesh.normals);
-  transfer(mesh.positionColours);
-  transfer(mesh.triangleColours);
+  transfer(mesh.positionColors);
+  transfer(mesh.triangleColors);
   transfer(mesh.positionValues);
-  transfer(mesh.valueColours);
+  transfer(mesh.valueColors);
   transfer(mesh.motion.velocities);
   transfer(mesh.motion.accelerations);
 }
@@ -207,7 +207,7 @@ void VisitMesh(Mesh& mesh, Transfer& transfer)
 } // namespace
 
 std::vector<char> PackNear(
-  const GlyphInstances& instances, const GlyphColours& colours, const std::vector<Box>& boxes, const DoubleBox& region)
+  const GlyphInstances& instances, const GlyphColors& colors, const std::vector<Box>& boxes, const DoubleBox& region)
 {
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < boxes.size(); ++i)
@@ -224,7 +224,7 @@ std::vector<char> PackNear(
     return {};
   }
   Writer writer(kept);
-  Visit(instances, colours, writer);
+  Visit(instances, colors, writer);
   if (mesh)
   {
     VisitMesh(*mesh, writer);
@@ -232,10 +232,10 @@ std::vector<char> PackNear(
   return std::move(writer.bytes);
 }
 
-void Unpack(const std::vector<char>& bytes, GlyphInstances& instances, GlyphColours& colours)
+void Unpack(const std::vector<char>& bytes, GlyphInstances& instances, GlyphColors& colors)
 {
   Reader reader(bytes);
-  Visit(instances, colours, reader);
+  Visit(instances, colors, reader);
   instances.mesh.reset();
   if (instances.shape == Shape::Mesh)
   {

@@ -132,7 +132,7 @@ double ProgressiveImage::Progress() const
 
 bool ProgressiveImage::MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const
 {
-  if (view.content != this->failedView_.content)
+  if (view.sceneVersion != this->failedView_.sceneVersion)
   {
     return true;
   }
@@ -247,8 +247,8 @@ bool ProgressiveImage::WaitsForProgram(const Image& image)
 void ProgressiveImage::Restart(const Request& request)
 {
   const ImageView &was = this->view_, &is = request.view;
-  const bool same = is.content == was.content && is.pass == was.pass && is.settings.width == was.settings.width &&
-    is.settings.height == was.settings.height;
+  const bool same = is.sceneVersion == was.sceneVersion && is.pass == was.pass &&
+    is.settings.width == was.settings.width && is.settings.height == was.settings.height;
   this->onlyLightChanged_ = same && is.camera == was.camera &&
     (this->hasPicture_ || (this->state_ == State::Growing && this->onlyLightChanged_));
   this->Forget();
@@ -431,7 +431,7 @@ void ProgressiveImage::Smooth(const Request& request)
     {
       this->smooth_.clear();
       this->smoothSamples_ = 0;
-      this->image_.colour = this->image_.traced;
+      this->image_.color = this->image_.traced;
       ++this->version_;
     }
     return;
@@ -466,7 +466,7 @@ void ProgressiveImage::Smooth(const Request& request)
   }
   if (this->smoothSamples_ > 0)
   {
-    this->image_.colour = this->smooth_.data();
+    this->image_.color = this->smooth_.data();
   }
 }
 

@@ -21,8 +21,8 @@ struct ImageView
   Camera camera;
   std::vector<Light> lights, previewLights;
   Pass pass = Pass::Opaque;
-  TraceSettings settings;    ///< size and light; everything about samples keeps its default
-  std::uint64_t content = 0; ///< version of what the scene shows
+  TraceSettings settings;         ///< size and light; everything about samples keeps its default
+  std::uint64_t sceneVersion = 0; ///< version of what the scene shows
 
   bool operator==(const ImageView&) const = default;
 };

@@ -54,7 +54,7 @@ Statistics& Statistics::operator+=(const Statistics& other)
   this->structureBuilds += other.structureBuilds;
   this->topLevelBuilds += other.topLevelBuilds;
   this->instanceUploads += other.instanceUploads;
-  this->colourUploads += other.colourUploads;
+  this->colorUploads += other.colorUploads;
   this->sorts += other.sorts;
   this->programsAhead += other.programsAhead;
   this->pipelineBuilds += other.pipelineBuilds;
@@ -128,18 +128,18 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   set.measured = false;
   set.boxes = {};
   // Colors are by glyph: those of the old glyphs mean nothing now.
-  set.colours = {};
-  set.coloursChanged = true;
-  set.translucentColours = false;
+  set.colors = {};
+  set.colorsChanged = true;
+  set.translucentColors = false;
 }
 
-void Scene::SetColours(SetId id, GlyphColours colours)
+void Scene::SetColors(SetId id, GlyphColors colors)
 {
   GlyphSet& set = this->state_->Find(id);
-  CheckColours(set.instances, colours);
-  set.translucentColours = AnyTranslucent(colours);
-  set.colours = std::move(colours);
-  set.coloursChanged = true;
+  CheckColors(set.instances, colors);
+  set.translucentColors = AnyTranslucent(colors);
+  set.colors = std::move(colors);
+  set.colorsChanged = true;
 }
 
 void Scene::SetMaterial(SetId id, const Material& material)
@@ -326,7 +326,7 @@ void Scene::Commit(const std::function<void(double)>& progress)
       }
       for (GlyphSet* set : sent)
       {
-        set->instancesChanged = set->coloursChanged = false;
+        set->instancesChanged = set->colorsChanged = false;
       }
       state.topLevelChanged = state.recordsChanged = false;
     });
@@ -358,10 +358,10 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
       sent.push_back(&set);
       this->Place(set, reach);
     }
-    else if (set.coloursChanged)
+    else if (set.colorsChanged)
     {
       sent.push_back(&set);
-      this->SendArrays(set, set.placed, device::COLOURS | device::END_COLOURS);
+      this->SendArrays(set, set.placed, device::COLORS | device::END_COLORS);
       this->recordsChanged = true;
     }
     // The top level says which pass a set belongs to.

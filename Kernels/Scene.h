@@ -18,7 +18,7 @@ struct Statistics
   std::uint64_t structureBuilds = 0; ///< trees, or bottom-level structures of the driver, built
   std::uint64_t topLevelBuilds = 0;  ///< lists of the visible sets, or top-level structures of the driver, built
   std::uint64_t instanceUploads = 0; ///< glyph sets whose centers, sizes, rotations, exponents were sent
-  std::uint64_t colourUploads = 0;   ///< glyph sets whose colors were sent
+  std::uint64_t colorUploads = 0;    ///< glyph sets whose colors were sent
   std::uint64_t sorts = 0;           ///< glyph sets put into another order; new instances may do with the last one's
   std::uint64_t programsAhead = 0;   ///< that are still to be compiled ahead on the device
   std::uint64_t pipelineBuilds = 0;  ///< programs compiled for these tracers, without those of others that they use
@@ -54,7 +54,7 @@ public:
   void Remove(SetId id);
 
   void SetInstances(SetId id, GlyphInstances instances);
-  void SetColours(SetId id, GlyphColours colours);
+  void SetColors(SetId id, GlyphColors colors);
   void SetMaterial(SetId id, const Material& material);
   void SetImages(SetId id, const PeriodicImages& images);
   /// `keep`: what of the set is on the device stays there, for it to be visible again at once.

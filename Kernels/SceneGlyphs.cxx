@@ -55,9 +55,9 @@ void Scene::State::Place(GlyphSet& set, float reach)
   }
   this->TellStage(set);
   PlacedGlyphs placed;
-  using SurfaceColours = GlyphInstances::SurfaceColours;
-  placed.variants.Set(device::SIGN_COLOURS, set.instances.surfaceColours == SurfaceColours::Sign);
-  placed.variants.Set(device::DIRECTION_COLOURS, set.instances.surfaceColours == SurfaceColours::Direction);
+  using SurfaceColors = GlyphInstances::SurfaceColors;
+  placed.variants.Set(device::SIGN_COLORS, set.instances.surfaceColors == SurfaceColors::Sign);
+  placed.variants.Set(device::DIRECTION_COLORS, set.instances.surfaceColors == SurfaceColors::Direction);
   placed.variants.Set(device::FIXED_HEADS, set.instances.shape == Shape::Arrow && set.instances.arrow.fixedHeads);
   bool isNew = true;
   if (set.instances.shape == Shape::Mesh)
@@ -98,7 +98,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
 void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants)
 {
   Stopwatch watch;
-  ForEachArray(set.instances, set.colours,
+  ForEachArray(set.instances, set.colors,
     [&](std::size_t number, std::uint32_t bit, const auto& values, const char*)
     {
       if (variants & bit)
@@ -107,12 +107,12 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
         placed.variants.Set(bit, !values.empty());
       }
     });
-  if (variants & device::END_COLOURS)
+  if (variants & device::END_COLORS)
   {
-    placed.colourTable = Send(this->device->GetState(), set.colours.table);
-    placed.variants.Set(device::END_VALUES, !set.colours.table.empty());
+    placed.colorTable = Send(this->device->GetState(), set.colors.table);
+    placed.variants.Set(device::END_VALUES, !set.colors.table.empty());
   }
-  this->statistics.colourUploads += (variants & device::COLOURS) && !set.colours.Empty();
+  this->statistics.colorUploads += (variants & device::COLORS) && !set.colors.Empty();
   this->statistics.uploadSeconds += watch.Lap();
 }
 

@@ -46,18 +46,18 @@ std::vector<std::uint32_t> OrderTriangles(const TriangleMesh& mesh)
   return MakeKdOrder(boxes, GlyphTree::LeafBits(boxes.size(), 2)).order;
 }
 
-Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
+Buffer SendMeshColors(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
 {
   if (!source.positionValues.empty())
   {
     // The table lies behind the values.
     std::vector<std::uint32_t> words(source.positionValues.size());
     std::memcpy(words.data(), source.positionValues.data(), words.size() * sizeof(std::uint32_t));
-    words.insert(words.end(), source.valueColours.begin(), source.valueColours.end());
+    words.insert(words.end(), source.valueColors.begin(), source.valueColors.end());
     return Send(device, words);
   }
-  return source.positionColours.empty() ? SendInOrder(device, source.triangleColours, mesh.order)
-                                        : Send(device, source.positionColours);
+  return source.positionColors.empty() ? SendInOrder(device, source.triangleColors, mesh.order)
+                                       : Send(device, source.positionColors);
 }
 
 // Whether a mesh on the device is the wanted one, but for colors.
@@ -71,7 +71,7 @@ bool HasShapeOf(const PlacedMesh& placed, const std::shared_ptr<const TriangleMe
 bool IsMovingMesh(const GlyphInstances& instances)
 {
   return instances.shape == Shape::Mesh &&
-    (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centresLow.empty());
+    (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centersLow.empty());
 }
 
 bool IsClosed(const TriangleMesh& mesh)
@@ -108,14 +108,14 @@ bool IsClosed(const TriangleMesh& mesh)
   return true;
 }
 
-void Scene::State::UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh)
+void Scene::State::UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh)
 {
   const std::shared_ptr<const TriangleMesh>& wanted = set.instances.mesh;
   if (mesh.source != wanted)
   {
-    mesh.colours = SendMeshColours(this->device->GetState(), mesh, *wanted);
+    mesh.colors = SendMeshColors(this->device->GetState(), mesh, *wanted);
     mesh.source = wanted;
-    ++this->statistics.colourUploads;
+    ++this->statistics.colorUploads;
   }
 }
 
@@ -135,16 +135,16 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   const bool keeps = (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && HasShapeOf(sent, wanted);
   if (keeps)
   {
-    this->UpdateMeshColours(set, sent);
+    this->UpdateMeshColors(set, sent);
   }
   else
   {
     Device::State& vulkan = this->device->GetState();
     sent = PlacedMesh();
-    CentredMesh centred = Centre(mesh, shutter);
+    CenteredMesh centered = Center(mesh, shutter);
     if (hasTree)
     {
-      MeshTree tree = BuildMeshTree(mesh, centred, shutter);
+      MeshTree tree = BuildMeshTree(mesh, centered, shutter);
       sent.tree = PlacedTree(vulkan, tree.tree);
       sent.order = std::move(tree.order);
     }
@@ -154,12 +154,12 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     }
     const vk::BufferUsageFlags input =
       hasTree ? vk::BufferUsageFlags() : vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR;
-    sent.positions = Send(vulkan, centred.positions, input);
+    sent.positions = Send(vulkan, centered.positions, input);
     sent.triangles = SendInOrder(vulkan, mesh.triangles, sent.order, input);
     sent.normals = Send(vulkan, mesh.normals);
     sent.velocities = Send(vulkan, mesh.motion.velocities);
     sent.accelerations = Send(vulkan, mesh.motion.accelerations);
-    sent.colours = SendMeshColours(vulkan, sent, mesh);
+    sent.colors = SendMeshColors(vulkan, sent, mesh);
     if (!hasTree)
     {
       sent.structure =
@@ -169,8 +169,8 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     sent.source = wanted;
     sent.shutterOpen = shutter.shutterOpen;
     sent.shutterClose = shutter.shutterClose;
-    sent.middle = centred.middle;
-    sent.radius = centred.radius;
+    sent.middle = centered.middle;
+    sent.radius = centered.radius;
     ++this->statistics.structureBuilds;
   }
   Variants& variants = placed.variants;
@@ -178,10 +178,10 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   variants.Set(device::MESH_VELOCITIES, !mesh.motion.velocities.empty());
   variants.Set(device::MESH_ACCELERATIONS, !mesh.motion.accelerations.empty());
   variants.Set(device::MESH_NORMALS, !mesh.normals.empty());
-  variants.Set(device::MESH_VALUE_COLOURS, !mesh.positionValues.empty());
-  variants.Set(device::MESH_POSITION_COLOURS, mesh.positionValues.empty() && !mesh.positionColours.empty());
-  variants.Set(device::MESH_TRIANGLE_COLOURS,
-    mesh.positionValues.empty() && mesh.positionColours.empty() && !mesh.triangleColours.empty());
+  variants.Set(device::MESH_VALUE_COLORS, !mesh.positionValues.empty());
+  variants.Set(device::MESH_POSITION_COLORS, mesh.positionValues.empty() && !mesh.positionColors.empty());
+  variants.Set(device::MESH_TRIANGLE_COLORS,
+    mesh.positionValues.empty() && mesh.positionColors.empty() && !mesh.triangleColors.empty());
   if (!hasTree)
   {
     // The driver's top level has the glyphs.
@@ -214,7 +214,7 @@ void Scene::State::AddMeshInstances(GlyphSet& set, const vk::AccelerationStructu
     const std::size_t glyph = set.sorted.order.empty() ? i : set.sorted.order[i];
     vk::AccelerationStructureInstanceKHR instance = like;
     const glm::mat3 linear = LinearPart(set.instances, glyph);
-    const glm::vec3 middle = set.instances.centres[glyph] + linear * set.placed.mesh.middle;
+    const glm::vec3 middle = set.instances.centers[glyph] + linear * set.placed.mesh.middle;
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 3; ++column)

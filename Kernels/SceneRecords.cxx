@@ -170,8 +170,8 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record) co
   record.sectionKeepsInside = section.keepsInside;
   const bool cutsWhole = section.faces == Section::Faces::Whole && set.instances.identifyTriangles;
   record.sectionFaces = static_cast<std::uint32_t>(cutsWhole ? Section::Faces::Open : section.faces);
-  record.sectionColours = section.capColour.has_value();
-  record.sectionColour = section.capColour.value_or(glm::vec3(0.0f));
+  record.sectionColors = section.capColor.has_value();
+  record.sectionColor = section.capColor.value_or(glm::vec3(0.0f));
   const std::vector<device::SectionSlab> slabs = SlabsOf(section, this->origin);
   record.sectionSlabs = static_cast<std::uint32_t>(slabs.size());
   device::SectionSlab* const filled[] = { &record.sectionSlab0, &record.sectionSlab1, &record.sectionSlab2 };
@@ -208,7 +208,7 @@ void Scene::State::FillRecords()
       const auto at = [&](const Buffer& buffer, std::size_t stride)
       { return buffer.Size() ? buffer.Address() + run.first * stride : anything; };
       const GlyphInstances& instances = set.instances;
-      const GlyphColours& colours = set.colours;
+      const GlyphColors& colors = set.colors;
 #define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], RowBytes(values));
       RTG_GLYPH_ARRAYS(RTG_FILL)
 #undef RTG_FILL
@@ -229,10 +229,10 @@ void Scene::State::FillRecords()
       record.glyphCount = run.count;
       record.translucent = set.Translucent();
       record.mask = set.Mask();
-      record.coloured = placed.variants.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS |
-        device::FORMS | device::SIGN_COLOURS | device::DIRECTION_COLOURS);
-      record.colourTable = at(placed.colourTable, 0);
-      record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());
+      record.colored = placed.variants.Has(device::COLORS | device::END_COLORS | device::MESH_COLORS | device::FORMS |
+        device::SIGN_COLORS | device::DIRECTION_COLORS);
+      record.colorTable = at(placed.colorTable, 0);
+      record.colorTableSize = static_cast<std::uint32_t>(colors.table.size());
       record.coatReflectance = NormalReflectance(set.material.coatIor);
       if (const TriangleMesh* source = placed.mesh.source.get())
       {
@@ -241,11 +241,11 @@ void Scene::State::FillRecords()
         record.meshPositions = mesh.positions.Address();
         record.meshTriangles = mesh.triangles.Address();
         record.meshNormals = ofMesh(mesh.normals);
-        record.meshColours = ofMesh(mesh.colours);
+        record.meshColors = ofMesh(mesh.colors);
         record.meshVelocities = ofMesh(mesh.velocities);
         record.meshAccelerations = ofMesh(mesh.accelerations);
         record.meshValueCount = static_cast<std::uint32_t>(source->positionValues.size());
-        record.meshTableSize = static_cast<std::uint32_t>(source->valueColours.size());
+        record.meshTableSize = static_cast<std::uint32_t>(source->valueColors.size());
         record.meshTriangleCount = static_cast<std::uint32_t>(source->triangles.size());
         record.meshMiddle = mesh.middle;
         record.meshRadius = mesh.radius;

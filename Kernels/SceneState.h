@@ -62,9 +62,9 @@ struct PlacedMesh
 {
   std::shared_ptr<const TriangleMesh> source;
   std::vector<std::uint32_t> order; ///< place on the device -> triangle of the source; empty: the same
-  Buffer positions, triangles, normals, colours;
+  Buffer positions, triangles, normals, colors;
   Buffer velocities, accelerations;
-  glm::vec3 middle{ 0.0f }; ///< as CentredMesh has them
+  glm::vec3 middle{ 0.0f }; ///< as CenteredMesh has them
   float radius = 0.0f;
   AccelerationStructure structure; ///< of the driver, or instead of it:
   PlacedTree tree;
@@ -86,7 +86,7 @@ struct PlacedGlyphs
   Variants variants;
   float builtReach = INFINITY;            ///< distance of ray origins that the padding of the driver's boxes allows for
   std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
-  Buffer colourTable;                     ///< of values at the ends of round cones
+  Buffer colorTable;                      ///< of values at the ends of round cones
   PlacedTree tree;
   std::vector<GlyphRun> runs;
   std::uint32_t sliceBits = 0; ///< of the tree, or of the runs' structures
@@ -108,16 +108,16 @@ struct GlyphOrder
 struct GlyphSet
 {
   GlyphInstances instances;
-  GlyphColours colours;
+  GlyphColors colors;
   Material material;
   PeriodicImages images;
   bool visible = true;
   bool kept = false; ///< on the device while it is not visible
   bool seen = true;  ///< by camera rays
-  bool translucentColours = false;
+  bool translucentColors = false;
   bool translucentInstances = false;
   bool instancesChanged = false; ///< since they were placed
-  bool coloursChanged = false;   ///< likewise
+  bool colorsChanged = false;    ///< likewise
 
   std::size_t count = 0;
   bool measured = false;  ///< `bounds` are those of the instances
@@ -135,7 +135,7 @@ struct GlyphSet
   bool DriverTriangles() const { return this->placed.mesh.structure.Address() != 0; }
   bool Translucent() const
   {
-    return this->material.opacity < 1.0f || this->translucentColours || this->translucentInstances;
+    return this->material.opacity < 1.0f || this->translucentColors || this->translucentInstances;
   }
   std::uint32_t Mask(bool shown = true) const
   {
@@ -217,7 +217,7 @@ struct Scene::State
   /// are placed in float, would not do.
   bool NeedsMeshTree(const GlyphSet& set) const;
   /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
-  void UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh);
+  void UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;

@@ -249,11 +249,10 @@ void DrawLines(
         if (cover > 0.0f)
         {
           const std::size_t at = row * image.width + x;
-          const glm::vec4 below = glm::unpackUnorm4x8(result.colours[at]);
+          const glm::vec4 below = glm::unpackUnorm4x8(result.colors[at]);
           const float alpha = cover + (1.0f - cover) * below.a;
-          const glm::vec3 colour =
-            (cover * effects.outlineColour + (1.0f - cover) * below.a * glm::vec3(below)) / alpha;
-          result.colours[at] = glm::packUnorm4x8(glm::vec4(colour, alpha));
+          const glm::vec3 color = (cover * effects.outlineColor + (1.0f - cover) * below.a * glm::vec3(below)) / alpha;
+          result.colors[at] = glm::packUnorm4x8(glm::vec4(color, alpha));
           result.depths[at] = std::min(result.depths[at], depth);
         }
       }
@@ -266,7 +265,7 @@ EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera
 {
   const std::size_t pixels = std::size_t(image.width) * image.height;
   EffectImage result;
-  result.colours.assign(image.colour, image.colour + pixels);
+  result.colors.assign(image.color, image.color + pixels);
   result.depths.assign(image.depth, image.depth + pixels);
   if (effects.outlineWidth > 0.0f)
   {
@@ -285,9 +284,9 @@ EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera
           {
             const double depth = places.ViewDepth(static_cast<int>(x), static_cast<int>(row));
             const double share = (depth - effects.nearDepth) / std::max(effects.farDepth - effects.nearDepth, 1e-300);
-            glm::vec4 colour = glm::unpackUnorm4x8(result.colours[at]);
-            colour.a *= 1.0f - effects.depthCue * static_cast<float>(std::clamp(share, 0.0, 1.0));
-            result.colours[at] = glm::packUnorm4x8(colour);
+            glm::vec4 color = glm::unpackUnorm4x8(result.colors[at]);
+            color.a *= 1.0f - effects.depthCue * static_cast<float>(std::clamp(share, 0.0, 1.0));
+            result.colors[at] = glm::packUnorm4x8(color);
           }
         }
       });

@@ -14,7 +14,7 @@ namespace rtg
 struct ScreenEffects
 {
   float outlineWidth = 0.0f;              ///< pixels, in [0, 64]; 0: no lines
-  glm::vec3 outlineColour{ 0.0f };        ///< display color, in [0, 1]
+  glm::vec3 outlineColor{ 0.0f };         ///< display color, in [0, 1]
   float depthCue = 0.0f;                  ///< [0, 1]: what is lost of the opacity at farDepth; in between in proportion
   double nearDepth = 0.0, farDepth = 1.0; ///< view depths between which the depth cue grows
 
@@ -32,7 +32,7 @@ using GlyphPath = std::function<double(std::uint32_t set, std::uint32_t glyph)>;
 /// its motion blurs over more than a pixel or two there are none. Without `path` nothing moves.
 struct EffectImage
 {
-  std::vector<std::uint32_t> colours; ///< as Image::colour
+  std::vector<std::uint32_t> colors; ///< as Image::color
   std::vector<float> depths;
 };
 EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const GlyphPath& path = {});

@@ -61,7 +61,7 @@ void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, 
   const Eigensystem grown = Decompose(back * growth * glm::transpose(back));
 
   const double reach = std::sqrt(std::max(glm::dot(x, firstMatrix * x), glm::dot(x, lastMatrix * x)));
-  instances.centres[index] = glm::vec3(0.5 * (first.middle + last.middle));
+  instances.centers[index] = glm::vec3(0.5 * (first.middle + last.middle));
   instances.sizes3[index] = glm::vec3(length + 2.0 * reach, 2.0 * across, 2.0 * down);
   instances.rotations[index] = Quaternion(glm::quat_cast(axes));
   instances.before[index] = Quaternion(glm::quat_cast(grown.vectors));

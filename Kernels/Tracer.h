@@ -22,7 +22,7 @@ struct Image
   std::uint32_t width = 0, height = 0;
   /// RGBA8, straight (not premultiplied): the mean color of the samples that hit, weighted by their opacity, and in
   /// alpha the mean over all samples of the opacity hit.
-  const std::uint32_t* colour = nullptr;
+  const std::uint32_t* color = nullptr;
   const std::uint32_t* traced = nullptr; ///< the same before denoising
   /// Window depth in [0, 1] of the sample at the pixel's center, or else of the nearest sample; 1: nothing hit.
   const float* depth = nullptr;
@@ -73,7 +73,7 @@ struct TraceSettings
 
   Shading shading = Shading::Local;
   /// Environment light (the sky) of ambient occlusion and path tracing: a display color and its strength, >= 0.
-  glm::vec3 environmentColour{ 1.0f };
+  glm::vec3 environmentColor{ 1.0f };
   float lightIntensity = 1.0f;
   /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
   /// it is uniform.
@@ -84,7 +84,7 @@ struct TraceSettings
   /// Surfaces whose color is their material's reflect at most this fraction of the light, in (0, 1]; 1: no limit.
   /// Colors of glyphs and triangles stay.
   float albedoLimit = 1.0f;
-  /// Path tracing: the environment light is this image's, times environmentColour and lightIntensity; null: it is
+  /// Path tracing: the environment light is this image's, times environmentColor and lightIntensity; null: it is
   /// uniform. Immutable: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.

@@ -5,11 +5,11 @@
 // program, what all have costs no test, and only what sets of one scene differ in is tested in the set's record.
 
 // The arrays of a set, one value a glyph: number, bit, type, the address's name in GlyphSetRecord, where the values
-// come from (instances: GlyphInstances; colors: those of Scene::SetColours), and what messages call them. Lengths are
+// come from (instances: GlyphInstances; colors: those of Scene::SetColors), and what messages call them. Lengths are
 // checked, values sent in the order of the set's tree, and addresses filled in by this table (SceneState.h).
 #define RTG_GLYPH_ARRAYS(ARRAY)                                                                                        \
-  ARRAY(0, CENTRES, Vec3Array, centres, instances.centres, "centers")                                                  \
-  ARRAY(1, CENTRES_LOW, Vec3Array, centresLow, instances.centresLow, "low parts of centers")                           \
+  ARRAY(0, CENTERS, Vec3Array, centers, instances.centers, "centers")                                                  \
+  ARRAY(1, CENTERS_LOW, Vec3Array, centersLow, instances.centersLow, "low parts of centers")                           \
   ARRAY(2, SIZE_EACH, FloatArray, sizes1, instances.sizes1, "sizes")                                                   \
   ARRAY(3, SIZES_EACH, Vec3Array, sizes3, instances.sizes3, "sizes along three axes")                                  \
   ARRAY(4, ROTATIONS, Vec4Array, rotations, instances.rotations, "rotations")                                          \
@@ -19,8 +19,8 @@
   ARRAY(8, ACCELERATIONS, Vec3Array, accelerations, instances.motion.accelerations, "accelerations")                   \
   ARRAY(9, ANGULAR_VELOCITIES, Vec3Array, angularVelocities, instances.motion.angularVelocities, "angular velocities") \
   ARRAY(10, OPACITIES, FloatArray, opacities, instances.opacities, "opacities")                                        \
-  ARRAY(11, COLOURS, UintArray, colours, colours.each, "colors")                                                       \
-  ARRAY(12, END_COLOURS, Uvec2Array, endColours, colours.ends, "colors of ends")                                       \
+  ARRAY(11, COLORS, UintArray, colors, colors.each, "colors")                                                          \
+  ARRAY(12, END_COLORS, Uvec2Array, endColors, colors.ends, "colors of ends")                                          \
   ARRAY(13, BEFORE, Vec4Array, before, instances.before, "ends before pieces of lines")                                \
   ARRAY(14, AFTER, Vec4Array, after, instances.after, "ends after pieces of lines")                                    \
   ARRAY(15, POLYNOMIALS, FloatArray, polynomials, instances.polynomials, "polynomials")
@@ -32,7 +32,7 @@
   NUMBER(float, uniformSize, instances.uniformSize)                                                                    \
   NUMBER(vec3, uniformExponents, instances.uniformExponents)                                                           \
   NUMBER(uint, polynomialDegree, instances.polynomialDegree)                                                           \
-  NUMBER(uint, surfaceColours, instances.surfaceColours)                                                               \
+  NUMBER(uint, surfaceColors, instances.surfaceColors)                                                                 \
   NUMBER(uint, identifiesTriangles, instances.identifyTriangles)                                                       \
   NUMBER(float, shutterOpen, instances.motion.shutterOpen)                                                             \
   NUMBER(float, shutterClose, instances.motion.shutterClose)                                                           \
@@ -45,11 +45,11 @@
 
 // The members of Material that programs have under the same names.
 #define RTG_MATERIAL(MEMBER)                                                                                           \
-  MEMBER(vec3, colour)                                                                                                 \
-  MEMBER(vec3, ambientColour)                                                                                          \
-  MEMBER(vec3, specularColour)                                                                                         \
-  MEMBER(vec3, positiveColour)                                                                                         \
-  MEMBER(vec3, negativeColour)                                                                                         \
+  MEMBER(vec3, color)                                                                                                  \
+  MEMBER(vec3, ambientColor)                                                                                           \
+  MEMBER(vec3, specularColor)                                                                                          \
+  MEMBER(vec3, positiveColor)                                                                                          \
+  MEMBER(vec3, negativeColor)                                                                                          \
   MEMBER(float, ambient)                                                                                               \
   MEMBER(float, diffuse)                                                                                               \
   MEMBER(float, specular)                                                                                              \
@@ -60,7 +60,7 @@
   MEMBER(float, roughness)                                                                                             \
   MEMBER(float, coatStrength)                                                                                          \
   MEMBER(float, coatRoughness)                                                                                         \
-  MEMBER(vec3, coatColour)
+  MEMBER(vec3, coatColor)
 
 #define RTG_BIT(number, BIT, type, name, values, words) const uint BIT = 1u << number;
 RTG_GLYPH_ARRAYS(RTG_BIT)
@@ -71,24 +71,24 @@ const uint FIXED_HEADS = 1u << 16;     // of arrows
 const uint ORDER_OF_SLICES = 1u << 17; // slices of time are sorted each for itself
 const uint DROPS_HIDDEN = 1u << 18;    // most of what a ray might meet lies behind its hit
 const uint MESH_NORMALS = 1u << 19;
-const uint MESH_POSITION_COLOURS = 1u << 20;
-const uint MESH_TRIANGLE_COLOURS = 1u << 21;
-const uint MESH_VALUE_COLOURS = 1u << 22;
+const uint MESH_POSITION_COLORS = 1u << 20;
+const uint MESH_TRIANGLE_COLORS = 1u << 21;
+const uint MESH_VALUE_COLORS = 1u << 22;
 const uint MESH_VELOCITIES = 1u << 23;
 const uint MESH_ACCELERATIONS = 1u << 24;
-const uint MESH_TREE = 1u << 25;         // the mesh has a tree of our own instead of the driver's
-const uint END_VALUES = 1u << 26;        // colors of ends are values with a table of colors (TriangleMesh.h)
-const uint SIGN_COLOURS = 1u << 27;      // of polynomials
-const uint DIRECTION_COLOURS = 1u << 28; // of the direction from the center to the surface
-const uint SECTION = 1u << 29;           // a cut (Programs/section.glsl)
-const uint SECTION_MOVES = 1u << 30;     // glyphs take it along
+const uint MESH_TREE = 1u << 25;        // the mesh has a tree of our own instead of the driver's
+const uint END_VALUES = 1u << 26;       // colors of ends are values with a table of colors (TriangleMesh.h)
+const uint SIGN_COLORS = 1u << 27;      // of polynomials
+const uint DIRECTION_COLORS = 1u << 28; // of the direction from the center to the surface
+const uint SECTION = 1u << 29;          // a cut (Programs/section.glsl)
+const uint SECTION_MOVES = 1u << 30;    // glyphs take it along
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
-const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
+const uint MESH_COLORS = MESH_POSITION_COLORS | MESH_TRIANGLE_COLORS | MESH_VALUE_COLORS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
 // Features that a new color or time step adds or removes. A program tests every set for these at run time, where a ray
 // has hit (in a moving scene at each glyph): lavapipe would compile another program for seconds. Images would take 4 %
 // longer if arrays that are read for every candidate were tested, too.
-const uint RUN_TIME_FEATURES = COLOURS | ORDER_OF_SLICES;
+const uint RUN_TIME_FEATURES = COLORS | ORDER_OF_SLICES;
 
 // Every specialization constant of the programs: number, type, name. Each program declares all of them.
 #define RTG_CONSTANTS(ENTRY)                                                                                           \

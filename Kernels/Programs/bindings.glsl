@@ -99,9 +99,9 @@ GlyphSetRecord SetRecord(const uint index)
 #define InSetIfHit(set, array, glyph) InSet(set, array, min(glyph, (set).glyphCount - 1u))
 
 // A glyph's own color.
-vec4 ColourOf(const GlyphSetRecord set, const uint glyph)
+vec4 ColorOf(const GlyphSetRecord set, const uint glyph)
 {
-  return unpackUnorm4x8(set.colours.at[InSetIfHit(set, COLOURS, glyph)]);
+  return unpackUnorm4x8(set.colors.at[InSetIfHit(set, COLORS, glyph)]);
 }
 
 // Opacity of all of a glyph's surface; the alpha of colors multiplies it.
@@ -112,7 +112,7 @@ float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
 
 // The color of an interpolated value in a table that begins at that place: from 0 to 1 over all entries but two, that
 // of what is no number and that of what has no value.
-vec4 TableColour(const UintArray table, const uint first, const uint size, const float value)
+vec4 TableColor(const UintArray table, const uint first, const uint size, const float value)
 {
   uint entries = size - 2u;
   uint entry = min(uint(clamp(value, 0.0, 1.0) * float(entries)), entries - 1u);
@@ -142,10 +142,10 @@ struct SurfaceHit
   float error; // world units between hit and exact surface at most, besides the rounding of t; only if leavesSurface
   vec3 normal; // of the surface itself: outward, unit, world frame
   vec3 shadingNormal; // the same, or between corners of triangles interpolated; on the same side of the surface
-  vec4 colour;
-  uint record;   // index of its GlyphSetRecord
-  uint glyph;    // index in the set's sorted order
-  bool coloured; // its color stands for something, also in ambient light
+  vec4 color;
+  uint record;  // index of its GlyphSetRecord
+  uint glyph;   // index in the set's sorted order
+  bool colored; // its color stands for something, also in ambient light
 };
 
 SurfaceHit NoHit()

@@ -20,10 +20,10 @@ uint layerLimit = 0u;           // no more are wanted
 uint layerNext = 0u;            // the first that has not been shown
 uint layerTime[LAYER_CAPACITY]; // bits of t: of floats from 0 on they have their order
 uint layerGlyph[LAYER_CAPACITY];
-uint layerRecord[LAYER_CAPACITY];   // where there are several
-uint layerTriangle[LAYER_CAPACITY]; // where there are meshes or cuts
-float layerPassing[LAYER_CAPACITY]; // transmittance, 1 where unknown
-bool layersStopLight = false;       // what lies behind the last does not show
+uint layerRecord[LAYER_CAPACITY];         // where there are several
+uint layerTriangle[LAYER_CAPACITY];       // where there are meshes or cuts
+float layerTransmittance[LAYER_CAPACITY]; // transmittance, 1 where unknown
+bool layersStopLight = false;             // what lies behind the last does not show
 const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (inSomeSets & SECTION)) != 0u;
 
 // Whether opacities decide how many of them show: where all are alike the limit does.
@@ -67,7 +67,7 @@ bool IsListed(const GlyphCrossing crossing, const float error)
 
 // Adds a crossing of that transmittance; of more than the limit, and of those that do not show, the farthest are
 // dropped. They come in nearly in their order.
-void AddLayer(const GlyphCrossing added, const float error, const float passing)
+void AddLayer(const GlyphCrossing added, const float error, const float transmittance)
 {
   if (rayQueries && IsListed(added, error))
   {
@@ -80,7 +80,7 @@ void AddLayer(const GlyphCrossing added, const float error, const float passing)
     layerGlyph[at] = layerGlyph[at - 1u];
     if (CountsLight())
     {
-      layerPassing[at] = layerPassing[at - 1u];
+      layerTransmittance[at] = layerTransmittance[at - 1u];
     }
     if (!alone)
     {
@@ -93,7 +93,7 @@ void AddLayer(const GlyphCrossing added, const float error, const float passing)
   }
   layerTime[at] = floatBitsToUint(added.t);
   layerGlyph[at] = added.glyph;
-  layerPassing[at] = passing;
+  layerTransmittance[at] = transmittance;
   if (!alone)
   {
     layerRecord[at] = added.record;
@@ -106,7 +106,7 @@ void AddLayer(const GlyphCrossing added, const float error, const float passing)
   float light = 1.0;
   for (uint i = 0u; CountsLight() && i < layerCount; ++i)
   {
-    light *= layerPassing[i];
+    light *= layerTransmittance[i];
     if (light < 0.99 * MIN_TRANSMITTANCE)
     {
       layerCount = i + 1u;
@@ -137,8 +137,7 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
     float opacity = 0.0;
     if (CountsLight() && !Has(set.variants, MESH_TREE))
     {
-      opacity =
-        Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
+      opacity = Has(set.variants, END_COLORS) ? ColorBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
     }
     AddLayer(GlyphCrossing(record, number, triangle, t, normal), error, 1.0 - opacity);
     tMax = LayersEnd(tMax);

@@ -43,12 +43,12 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
   GlyphSetRecord set = source.set;
   Glyph glyph = source.alike;
   // The set's offset is part of the center; what rounding would lose stays in the low part.
-  DoubleWord3 centre = TwoSum(set.centres.at[primitive], set.offset);
-  glyph.centre = centre.hi;
-  glyph.centreLow = centre.lo + set.offsetLow;
-  if (Has(set.variants, CENTRES_LOW))
+  DoubleWord3 center = TwoSum(set.centers.at[primitive], set.offset);
+  glyph.center = center.hi;
+  glyph.centerLow = center.lo + set.offsetLow;
+  if (Has(set.variants, CENTERS_LOW))
   {
-    glyph.centreLow += set.centresLow.at[InSet(set, CENTRES_LOW, primitive)];
+    glyph.centerLow += set.centersLow.at[InSet(set, CENTERS_LOW, primitive)];
   }
   if (Has(set.variants, SIZES_EACH))
   {
@@ -181,31 +181,30 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
 float OpacityOf(const GlyphSetRecord set, const uint glyph)
 {
   float opacity = OpacityOfGlyph(set, glyph);
-  return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
+  return Has(set.variants, COLORS) ? opacity * ColorOf(set, glyph).a : opacity;
 }
 
 // The color of a piece of a line where a ray meets it at t, between those of the ends' middles, or of a polynomial,
 // between those at its center and farthest from it.
-vec4 ColourBetweenEnds(
-  const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
+vec4 ColorBetweenEnds(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
 {
   float extent = IsOfShape(set.shape, RTG_SWEPT) ? glyph.after.w : glyph.size.x;
-  vec3 position = FromCentre(ray, glyph, t) / max(extent, 1e-30);
+  vec3 position = FromCenter(ray, glyph, t) / max(extent, 1e-30);
   float fraction = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
-  uvec2 ends = set.endColours.at[InSetIfHit(set, END_COLOURS, number)];
-  vec4 colour;
+  uvec2 ends = set.endColors.at[InSetIfHit(set, END_COLORS, number)];
+  vec4 color;
   if (Has(set.variants, END_VALUES))
   {
     vec2 values = uintBitsToFloat(ends);
     float value = ValueBetween(min(values.x, values.y), values.x + fraction * (values.y - values.x));
-    colour = TableColour(set.colourTable, 0u, set.colourTableSize, value);
+    color = TableColor(set.colorTable, 0u, set.colorTableSize, value);
   }
   else
   {
     vec4 first = unpackUnorm4x8(ends.x);
-    colour = first + fraction * (unpackUnorm4x8(ends.y) - first);
+    color = first + fraction * (unpackUnorm4x8(ends.y) - first);
   }
-  return colour * vec4(vec3(1.0), OpacityOf(set, number));
+  return color * vec4(vec3(1.0), OpacityOf(set, number));
 }
 
 // Whether the ray passes translucent surfaces of the set at random. `seed`: of the ray; 0: it passes none.
@@ -224,7 +223,7 @@ bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const u
 bool PassesTriangle(const GlyphSetRecord set, const GlyphRay ray, const uint seed, const uint number, const Glyph glyph,
   const uint triangle)
 {
-  return Passes(set, seed, number, triangle, TriangleColour(set, ray, glyph, number, triangle).a);
+  return Passes(set, seed, number, triangle, TriangleColor(set, ray, glyph, number, triangle).a);
 }
 
 // The first crossing in [tMin, tMax] that the ray does not pass.
@@ -243,7 +242,7 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
     if (met && chance && crossing < maximumPasses)
     {
       float opacity =
-        Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
+        Has(set.variants, END_COLORS) ? ColorBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
       passes = Passes(set, seed, number, CrossingNumber(set, crossing), opacity);
       if (Has(set.variants, MESH_TREE) && !IsCap(set, triangle))
       {

@@ -35,7 +35,7 @@ void main()
         if (layers.count == 1u)
         {
           Identify(pixel, s, depth, hit.record, hit.glyph);
-          AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
+          AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
         }
         float weight = WeightOfLayer(layers, hit);
         AddToPixel(pixel, weight * ShadeLocal(hit, origin.hi + depth * direction, direction, AmbientOf(hit)), weight);

@@ -55,7 +55,7 @@ bool MoreLayers(const Layers layers)
 // The layer's weight in the pixel.
 float WeightOfLayer(inout Layers layers, const SurfaceHit hit)
 {
-  float weight = layers.transmittance * hit.colour.a;
+  float weight = layers.transmittance * hit.color.a;
   layers.transmittance -= weight;
   return weight;
 }

@@ -8,9 +8,9 @@
 Glyph AboutMiddle(const Glyph ofMesh, const GlyphSetRecord set)
 {
   Glyph glyph = ofMesh;
-  DoubleWord3 middle = TwoSum(glyph.centre, RotateToWorld(glyph, glyph.size * set.meshMiddle));
-  glyph.centre = middle.hi;
-  glyph.centreLow += middle.lo;
+  DoubleWord3 middle = TwoSum(glyph.center, RotateToWorld(glyph, glyph.size * set.meshMiddle));
+  glyph.center = middle.hi;
+  glyph.centerLow += middle.lo;
   return glyph;
 }
 
@@ -24,8 +24,8 @@ struct MeshRay
 
 MeshRay ToMesh(const GlyphRay ray, const Glyph glyph, const GlyphSetRecord set)
 {
-  Glyph centred = AboutMiddle(glyph, set);
-  LocalRay local = TurnToLocal(NearRay(ray, centred), centred);
+  Glyph centered = AboutMiddle(glyph, set);
+  LocalRay local = TurnToLocal(NearRay(ray, centered), centered);
   vec3 origin = local.origin.hi / glyph.size;
   MeshRay found;
   found.direction = local.direction.hi / glyph.size;
@@ -216,11 +216,11 @@ TriangleCrossing CrossTriangle(const GlyphSetRecord set, const GlyphRay ray, con
   return crossing;
 }
 
-vec4 TriangleColour(
+vec4 TriangleColor(
   const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const uint triangle)
 {
   TriangleCrossing crossing = CrossTriangle(set, ray, glyph, triangle);
-  return TriangleColour(set, crossing.corner, crossing.weight, triangle, number);
+  return TriangleColor(set, crossing.corner, crossing.weight, triangle, number);
 }
 
 // The shortest rotation that takes the direction `from` to the direction `to`, both unit, of v.
@@ -264,6 +264,6 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
     // The driver's test of the next ray works with its origin rounded to float, in the mesh's frame once more.
     hit.error += 1e-6 * LargestOf(abs(ray.origin) + abs(ray.direction) * t);
   }
-  hit.colour = TriangleColour(set, corner, crossing.weight, triangle, number);
+  hit.color = TriangleColor(set, corner, crossing.weight, triangle, number);
   return hit;
 }

@@ -66,9 +66,9 @@ void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, con
   if (Has(set.variants, VELOCITIES | ACCELERATIONS))
   {
     // The low part keeps the rounding of the new center.
-    DoubleWord3 centre = TwoSum(glyph.centre, Displacement(set, primitive, time));
-    glyph.centre = centre.hi;
-    glyph.centreLow += centre.lo;
+    DoubleWord3 center = TwoSum(glyph.center, Displacement(set, primitive, time));
+    glyph.center = center.hi;
+    glyph.centerLow += center.lo;
   }
   if (Has(set.variants, ANGULAR_VELOCITIES))
   {

@@ -15,7 +15,7 @@
 #include "../Shading/Reflection.glsl"
 #include "../Shading/Ground.glsl"
 
-// The numbers of the rays towards lights: beyond those of all layers.
+// The numbers of the rays toward lights: beyond those of all layers.
 const uint eventLight = 0x400000u;
 
 // Light of the view's lights as this program adds it up.
@@ -88,7 +88,7 @@ void main()
   bool begins = true; // a sample
   // The current layer, and how many of its occlusion rays are still to be traced.
   SurfaceHit hit = NoHit();
-  vec3 colour, reflected, x, y; // `reflected`: of the sky's light
+  vec3 color, reflected, x, y; // `reflected`: of the sky's light
   DoubleWord3 start;
   uint rays, left = 0u;
   vec3 arrived; // of the sky's light
@@ -157,7 +157,7 @@ void main()
       --left;
       if (left == 0u)
       {
-        colour += reflected * (arrived / float(rays));
+        color += reflected * (arrived / float(rays));
       }
     }
     else if (NextLayer(layers, pixel, found))
@@ -168,15 +168,15 @@ void main()
       if (layers.count == 1u)
       {
         Identify(pixel, s, depth, hit.record, hit.glyph);
-        AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
+        AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
       }
       ambient = sky ? vec3(0.0) : AmbientOf(hit);
-      colour = sky ? EmissionOfHit(hit) : vec3(0.0);
+      color = sky ? EmissionOfHit(hit) : vec3(0.0);
       weight = WeightOfLayer(layers, hit);
       GlyphSetRecord set = SetRecord(hit.record);
       if (set.lighting != 0u)
       {
-        vec3 albedo = set.diffuse * DisplayToLinear(hit.colour.rgb);
+        vec3 albedo = set.diffuse * DisplayToLinear(hit.color.rgb);
         float scale = AlbedoScale(hit, albedo);
         lightScale = sky ? frame.lightFraction * scale : 1.0;
         vec3 place = layers.ray.origin.hi + hit.t * direction;
@@ -192,7 +192,7 @@ void main()
         }
         else
         {
-          colour += lightScale * Linear(ShadeLocal(hit, place, direction, ambient));
+          color += lightScale * Linear(ShadeLocal(hit, place, direction, ambient));
         }
         reflected = ((1.0 - frame.lightFraction) * scale) * albedo;
         FaceForward(hit, direction);
@@ -204,14 +204,14 @@ void main()
       }
       else if (!sky)
       {
-        colour = ShadeLocal(hit, vec3(0.0), direction, ambient);
+        color = ShadeLocal(hit, vec3(0.0), direction, ambient);
       }
     }
     else
     {
       begins = true;
       weight = 0.0;
-      colour = vec3(0.0);
+      color = vec3(0.0);
       onGround = ground && MeetGround(layers.ray, hit);
       if (onGround)
       {
@@ -256,7 +256,7 @@ void main()
         else
         {
           GlyphSetRecord set = SetRecord(hit.record);
-          colour += lightScale * Linear(ReflectLocal(set, hit.colour.rgb, ambient, asking.sum));
+          color += lightScale * Linear(ReflectLocal(set, hit.color.rgb, ambient, asking.sum));
         }
       }
     }
@@ -267,7 +267,7 @@ void main()
         pixel.missing += layers.transmittance * MissingShare(missing, all);
         onGround = false;
       }
-      AddToPixel(pixel, weight * colour, weight);
+      AddToPixel(pixel, weight * color, weight);
       begins = begins || !MoreLayers(layers);
       s += begins ? 1u : 0u;
     }

@@ -32,17 +32,17 @@ Surface SurfaceOfHit(const SurfaceHit hit)
 {
   GlyphSetRecord set = SetRecord(hit.record);
   Surface surface;
-  surface.base = set.diffuse * DisplayToLinear(hit.colour.rgb);
+  surface.base = set.diffuse * DisplayToLinear(hit.color.rgb);
   surface.base *= AlbedoScale(hit, surface.base);
   surface.metallic = set.metallic;
   surface.roughness = set.roughness;
   // Burley's range: Specular 0.5 is the usual dielectric of refractive index 1.5.
   surface.reflectance = 0.08 * set.specular;
-  surface.specularColour = DisplayToLinear(set.specularColour);
+  surface.specularColor = DisplayToLinear(set.specularColor);
   surface.coat = set.coatStrength;
   surface.coatRoughness = set.coatRoughness;
   surface.coatReflectance = set.coatReflectance;
-  surface.coatColour = DisplayToLinear(set.coatColour);
+  surface.coatColor = DisplayToLinear(set.coatColor);
   return surface;
 }
 
@@ -134,7 +134,7 @@ vec3 GroundLight(const SceneRay ray, const SurfaceHit hit)
   for (uint i = 0u; i < frame.lightCount; ++i)
   {
     Incidence at = ArriveAt(frame.lights.at[i], position);
-    light += frame.lights.at[i].colour * (at.attenuation * max(dot(hit.normal, -at.direction), 0.0));
+    light += frame.lights.at[i].color * (at.attenuation * max(dot(hit.normal, -at.direction), 0.0));
   }
   return light;
 }
@@ -145,7 +145,7 @@ struct DirectLight
   vec3 radiance; // zero: no shadow ray is needed
   vec3 direction;
   float distance;
-  uint seed; // of the ray towards it
+  uint seed; // of the ray toward it
 };
 
 DirectLight NoLight()
@@ -178,7 +178,7 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
       direct.distance = distance;
       direct.seed = SeedOf(number, 2u * bounce + 1u);
       // vtkLight's colors are what a white surface facing the light shows, hence pi.
-      direct.radiance = EvaluateAt(onGround, surface, from, to, u) * light.colour *
+      direct.radiance = EvaluateAt(onGround, surface, from, to, u) * light.color *
         (scatterPi * incidence.attenuation * float(frame.lightCount));
     }
   }
@@ -292,7 +292,7 @@ void main()
       {
         float depth = hit.t + ray.start;
         Identify(pixel, s, depth, hit.record, hit.glyph);
-        AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
+        AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
       onGround = ground && hit.t < 0.0 && MeetGround(ray, hit);

@@ -59,10 +59,10 @@ struct Pixel
 {
   // Sums over samples of color times opacity, and of opacity. Single floats would be off by a hundredth after a
   // million samples, all to the same side.
-  DoubleWord3 colour;
+  DoubleWord3 color;
   DoubleWord opacity;
   float missing; // of the light on the ground
-  bool centreHit;
+  bool centerHit;
   float depth;       // view depth of the center's sample, or else of the nearest
   float opaqueDepth; // of the nearest opaque surface, in an image of translucent ones
   float behind;      // window depth of the ground, which rays do not hit
@@ -73,10 +73,10 @@ struct Pixel
 Pixel BeginPixel(const uvec2 position)
 {
   Pixel pixel;
-  pixel.colour = Word3(vec3(0.0));
+  pixel.color = Word3(vec3(0.0));
   pixel.opacity = Word(0.0);
   pixel.missing = 0.0;
-  pixel.centreHit = false;
+  pixel.centerHit = false;
   pixel.depth = pixel.opaqueDepth = 1e38;
   pixel.behind = 1.0;
   pixel.record = 0xffffffffu;
@@ -85,11 +85,11 @@ Pixel BeginPixel(const uvec2 position)
   {
     // Compilers may load it where there is one pixel only.
     uint at = frame.accumulates != 0u ? position.y * frame.width + position.x : 0u;
-    pixel.colour = DoubleWord3(frame.sums.at[at].colour, frame.sums.at[at].colourLow);
+    pixel.color = DoubleWord3(frame.sums.at[at].color, frame.sums.at[at].colorLow);
     pixel.opacity = DoubleWord(frame.sums.at[at].opacity, frame.sums.at[at].opacityLow);
     pixel.missing = ground ? frame.sums.at[at].missing : 0.0;
     float depth = frame.sums.at[at].depth;
-    pixel.centreHit = floatBitsToUint(depth) >> 31u != 0u;
+    pixel.centerHit = floatBitsToUint(depth) >> 31u != 0u;
     pixel.depth = abs(depth);
     pixel.opaqueDepth = layered || translucency ? frame.sums.at[at].opaqueDepth : 1e38;
   }
@@ -97,14 +97,14 @@ Pixel BeginPixel(const uvec2 position)
 }
 
 // Adds a layer of a sample, or a whole sample.
-void AddToPixel(inout Pixel pixel, const vec3 colour, const float opacity)
+void AddToPixel(inout Pixel pixel, const vec3 color, const float opacity)
 {
   pixel.opacity = Add(pixel.opacity, opacity);
   // Beyond the range of floats there are no low parts.
-  vec3 plain = pixel.colour.hi + colour;
-  DoubleWord3 sum = Add(pixel.colour, colour);
-  pixel.colour.hi = mix(sum.hi, plain, isinf(plain));
-  pixel.colour.lo = mix(sum.lo, vec3(0.0), isinf(plain));
+  vec3 plain = pixel.color.hi + color;
+  DoubleWord3 sum = Add(pixel.color, color);
+  pixel.color.hi = mix(sum.hi, plain, isinf(plain));
+  pixel.color.lo = mix(sum.lo, vec3(0.0), isinf(plain));
 }
 
 // Whether it is an opaque surface in an image of translucent ones: there is an image of opaque ones besides.
@@ -125,9 +125,9 @@ bool ShowsToo(inout Pixel pixel, const float viewDepth)
 // Depth and identity of a sample whose camera ray has just hit.
 void Identify(inout Pixel pixel, const uint index, const float viewDepth, const uint record, const uint glyph)
 {
-  if ((index == 0u || (!pixel.centreHit && viewDepth < pixel.depth)) && !IsInOtherImage(record))
+  if ((index == 0u || (!pixel.centerHit && viewDepth < pixel.depth)) && !IsInOtherImage(record))
   {
-    pixel.centreHit = index == 0u;
+    pixel.centerHit = index == 0u;
     pixel.depth = viewDepth;
     pixel.record = record;
     pixel.glyph = glyph;
@@ -159,12 +159,12 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   uint at = position.y * frame.width + position.x;
   if (frame.accumulates != 0u)
   {
-    frame.sums.at[at].colour = pixel.colour.hi;
-    frame.sums.at[at].colourLow = pixel.colour.lo;
+    frame.sums.at[at].color = pixel.color.hi;
+    frame.sums.at[at].colorLow = pixel.color.lo;
     frame.sums.at[at].opacity = pixel.opacity.hi;
     frame.sums.at[at].opacityLow = pixel.opacity.lo;
     frame.sums.at[at].missing = pixel.missing;
-    frame.sums.at[at].depth = pixel.centreHit ? -pixel.depth : pixel.depth;
+    frame.sums.at[at].depth = pixel.centerHit ? -pixel.depth : pixel.depth;
     frame.sums.at[at].opaqueDepth = pixel.opaqueDepth;
   }
 
@@ -172,7 +172,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   float samples = float(frame.firstSample + frame.samples);
   if (pixel.opacity.hi > 0.0)
   {
-    vec3 mean = pixel.colour.hi / pixel.opacity.hi;
+    vec3 mean = pixel.color.hi / pixel.opacity.hi;
     shown.rgb = linear || frame.mapsTones != 0u ? ToneMap(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
     shown.a = pixel.opacity.hi / samples;
   }
@@ -195,7 +195,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     setId = SetRecord(pixel.record).setId;
   }
-  frame.colour.at[at] = packUnorm4x8(shown);
+  frame.color.at[at] = packUnorm4x8(shown);
   frame.depth.at[at] = windowDepth;
   // Earlier samples may have written already what is there.
   if (frame.firstSample == 0u || pixel.record != 0xffffffffu)

@@ -34,14 +34,14 @@ vec3 TurnedNormal(const GlyphSetRecord set, const uint number, const vec3 normal
 }
 
 // The center of a glyph at rest with the body: of one that takes the body along, that at time zero.
-DoubleWord3 CentreAtBody(const GlyphSetRecord set, const uint number, const Glyph glyph)
+DoubleWord3 CenterAtBody(const GlyphSetRecord set, const uint number, const Glyph glyph)
 {
-  DoubleWord3 centre = DoubleWord3(glyph.centre, glyph.centreLow);
+  DoubleWord3 center = DoubleWord3(glyph.center, glyph.centerLow);
   if (Has(set.variants, SECTION_MOVES) && Has(set.variants, VELOCITIES | ACCELERATIONS))
   {
-    centre = Add(centre, DoubleWord3(-Displacement(set, number, TimeOf(set)), vec3(0.0)));
+    center = Add(center, DoubleWord3(-Displacement(set, number, TimeOf(set)), vec3(0.0)));
   }
-  return centre;
+  return center;
 }
 
 // The cap's normal, out of what is left.
@@ -63,8 +63,8 @@ Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, c
   if (Has(set.variants, SECTION_MOVES))
   {
     // Above the plane through the center, and its height at rest
-    origin = Add(origin, DoubleWord3(-glyph.centre, -glyph.centreLow));
-    height = Add(SumOf(Multiply(origin, normal)), SumOf(Multiply(CentreAtBody(set, number, glyph), slab.normal)));
+    origin = Add(origin, DoubleWord3(-glyph.center, -glyph.centerLow));
+    height = Add(SumOf(Multiply(origin, normal)), SumOf(Multiply(CenterAtBody(set, number, glyph), slab.normal)));
   }
   else
   {
@@ -159,10 +159,10 @@ bool IsLeftOut(const GlyphSetRecord set, const uint number, const Glyph glyph)
   {
     return false;
   }
-  DoubleWord3 centre = CentreAtBody(set, number, glyph);
-  bool inside = IsBetween(centre, set.sectionSlab0);
-  inside = inside && (set.sectionSlabs < 2u || IsBetween(centre, set.sectionSlab1));
-  inside = inside && (set.sectionSlabs < 3u || IsBetween(centre, set.sectionSlab2));
+  DoubleWord3 center = CenterAtBody(set, number, glyph);
+  bool inside = IsBetween(center, set.sectionSlab0);
+  inside = inside && (set.sectionSlabs < 2u || IsBetween(center, set.sectionSlab1));
+  inside = inside && (set.sectionSlabs < 3u || IsBetween(center, set.sectionSlab2));
   return inside != (set.sectionKeepsInside != 0u);
 }
 

@@ -1,9 +1,9 @@
 // The surface at a hit; after bindings.glsl and glyph.glsl.
 
 // Whether the color of a glyph leaves that of its surface to other rules: none and white do.
-bool LeavesColours(const GlyphSetRecord set, const vec4 colour)
+bool LeavesColors(const GlyphSetRecord set, const vec4 color)
 {
-  return !Has(set.variants, COLOURS) || colour.rgb == vec3(1.0);
+  return !Has(set.variants, COLORS) || color.rgb == vec3(1.0);
 }
 
 // The normal of an analytic shape where only t is known.
@@ -48,41 +48,41 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
       float next;
       IntersectMesh(set, ray, found, t, RTG_NEVER, false, next, hit.glyph);
     }
-    vec3 base = Has(set.variants, COLOURS) ? ColourOf(set, glyph).rgb : set.colour;
-    hit.colour = vec4(base, OpacityOf(set, glyph));
-    if (Has(set.variants, END_COLOURS))
+    vec3 base = Has(set.variants, COLORS) ? ColorOf(set, glyph).rgb : set.color;
+    hit.color = vec4(base, OpacityOf(set, glyph));
+    if (Has(set.variants, END_COLORS))
     {
-      vec4 between = ColourBetweenEnds(set, ray, found, glyph, t);
-      hit.colour = vec4(LeavesColours(set, hit.colour) ? between.rgb : hit.colour.rgb, between.a);
+      vec4 between = ColorBetweenEnds(set, ray, found, glyph, t);
+      hit.color = vec4(LeavesColors(set, hit.color) ? between.rgb : hit.color.rgb, between.a);
     }
   }
   if (MayPass(set, seed))
   {
     // Chance has decided that it stops the ray.
-    hit.colour.a = 1.0;
+    hit.color.a = 1.0;
   }
-  if (Has(set.variants, FORMS) && LeavesColours(set, hit.colour))
+  if (Has(set.variants, FORMS) && LeavesColors(set, hit.color))
   {
     // In glyph sizes: squares of tiny lengths vanish.
-    vec3 p = FromCentre(ray, found, t) / max(found.size.x, max(found.size.y, found.size.z));
-    hit.colour.rgb =
-      dot(set.forms.at[InSetIfHit(set, FORMS, glyph)], p * p) < 0.0 ? set.negativeColour : set.positiveColour;
+    vec3 p = FromCenter(ray, found, t) / max(found.size.x, max(found.size.y, found.size.z));
+    hit.color.rgb =
+      dot(set.forms.at[InSetIfHit(set, FORMS, glyph)], p * p) < 0.0 ? set.negativeColor : set.positiveColor;
   }
-  if (Has(set.variants, SIGN_COLOURS) && LeavesColours(set, hit.colour))
+  if (Has(set.variants, SIGN_COLORS) && LeavesColors(set, hit.color))
   {
-    hit.colour.rgb = PolynomialIsNegative(found, FromCentre(ray, found, t)) ? set.negativeColour : set.positiveColour;
+    hit.color.rgb = PolynomialIsNegative(found, FromCenter(ray, found, t)) ? set.negativeColor : set.positiveColor;
   }
-  if (Has(set.variants, DIRECTION_COLOURS) && LeavesColours(set, hit.colour))
+  if (Has(set.variants, DIRECTION_COLORS) && LeavesColors(set, hit.color))
   {
     // In the world: a glyph that is turned has other colors.
-    vec3 axes = abs(RotateToWorld(found, FromCentre(ray, found, t)));
-    hit.colour.rgb = axes / max(length(axes), 1e-30);
+    vec3 axes = abs(RotateToWorld(found, FromCenter(ray, found, t)));
+    hit.color.rgb = axes / max(length(axes), 1e-30);
   }
-  hit.coloured = set.coloured != 0u;
-  if (cap && set.sectionColours != 0u)
+  hit.colored = set.colored != 0u;
+  if (cap && set.sectionColors != 0u)
   {
-    hit.colour.rgb = set.sectionColour;
-    hit.coloured = true;
+    hit.color.rgb = set.sectionColor;
+    hit.colored = true;
   }
   return hit;
 }

@@ -33,31 +33,31 @@ vec3 OnSideOf(const vec3 smoothed, const vec3 normal)
   return dot(smoothed, normal) < 0.0 ? -normal : normal;
 }
 
-vec4 TriangleColour(
+vec4 TriangleColor(
   const GlyphSetRecord set, const uvec3 corner, const vec3 weight, const uint triangle, const uint glyph)
 {
-  vec4 colour = vec4(set.colour, 1.0);
-  if (Has(set.variants, MESH_POSITION_COLOURS))
+  vec4 color = vec4(set.color, 1.0);
+  if (Has(set.variants, MESH_POSITION_COLORS))
   {
-    colour = weight.x * unpackUnorm4x8(set.meshColours.at[corner.x]) +
-      weight.y * unpackUnorm4x8(set.meshColours.at[corner.y]) + weight.z * unpackUnorm4x8(set.meshColours.at[corner.z]);
+    color = weight.x * unpackUnorm4x8(set.meshColors.at[corner.x]) +
+      weight.y * unpackUnorm4x8(set.meshColors.at[corner.y]) + weight.z * unpackUnorm4x8(set.meshColors.at[corner.z]);
   }
-  else if (Has(set.variants, MESH_VALUE_COLOURS))
+  else if (Has(set.variants, MESH_VALUE_COLORS))
   {
     vec3 values =
-      uintBitsToFloat(uvec3(set.meshColours.at[corner.x], set.meshColours.at[corner.y], set.meshColours.at[corner.z]));
+      uintBitsToFloat(uvec3(set.meshColors.at[corner.x], set.meshColors.at[corner.y], set.meshColors.at[corner.z]));
     float value = ValueBetween(
       min(values.x, min(values.y, values.z)), weight.x * values.x + weight.y * values.y + weight.z * values.z);
-    colour = TableColour(set.meshColours, set.meshValueCount, set.meshTableSize, value);
+    color = TableColor(set.meshColors, set.meshValueCount, set.meshTableSize, value);
   }
-  else if (Has(set.variants, MESH_TRIANGLE_COLOURS))
+  else if (Has(set.variants, MESH_TRIANGLE_COLORS))
   {
-    colour = unpackUnorm4x8(set.meshColours.at[triangle]);
+    color = unpackUnorm4x8(set.meshColors.at[triangle]);
   }
-  else if (Has(set.variants, COLOURS))
+  else if (Has(set.variants, COLORS))
   {
-    colour = ColourOf(set, glyph);
+    color = ColorOf(set, glyph);
   }
-  colour.a *= OpacityOfGlyph(set, glyph);
-  return colour;
+  color.a *= OpacityOfGlyph(set, glyph);
+  return color;
 }

@@ -49,7 +49,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           : i;
         float low, high;
         int verdict = Estimate(set, ray, glyph, FetchGlyph(source, glyph), tMin, hit.t, low, high);
-        if (chance && Has(set.variants, END_COLOURS) && verdict == RTG_MET)
+        if (chance && Has(set.variants, END_COLORS) && verdict == RTG_MET)
         {
           verdict = RTG_UNKNOWN; // the opacity is that at the exact t
         }

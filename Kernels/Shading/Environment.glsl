@@ -27,7 +27,7 @@ vec3 ClampedEnvironment(const vec3 direction)
   return frame.environment * min(EnvironmentSeen(direction), vec3(frame.environmentThreshold));
 }
 
-// A direction towards what exceeds the threshold, and that radiance over the density of the direction.
+// A direction toward what exceeds the threshold, and that radiance over the density of the direction.
 vec3 SampleEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
 {
   uint count = frame.environmentCellColumns * frame.environmentCellRows;

@@ -6,7 +6,7 @@
 vec3 AmbientOf(const SurfaceHit hit)
 {
   GlyphSetRecord set = SetRecord(hit.record);
-  return set.ambient * (hit.coloured ? hit.colour.rgb : set.ambientColour);
+  return set.ambient * (hit.colored ? hit.color.rgb : set.ambientColor);
 }
 
 // Light of the view's lights on a surface.
@@ -26,17 +26,17 @@ void AddLight(inout LocalLight sum, const LightRecord light, const Incidence at,
   const float power)
 {
   float df = max(at.alongView ? 0.000001 : 0.0, at.attenuation * dot(normal, -at.direction));
-  sum.diffuse += df * light.colour;
+  sum.diffuse += df * light.color;
   if (df > 0.0)
   {
     float highlight = at.alongView ? df : max(1e-5, dot(reflect(at.direction, normal), toViewer));
-    sum.specular += at.attenuation * pow(highlight, power) * light.colour;
+    sum.specular += at.attenuation * pow(highlight, power) * light.color;
   }
 }
 
 vec3 ReflectLocal(const GlyphSetRecord set, const vec3 base, const vec3 ambient, const LocalLight sum)
 {
-  vec3 shaded = ambient + sum.diffuse * set.diffuse * base + sum.specular * set.specular * set.specularColour;
+  vec3 shaded = ambient + sum.diffuse * set.diffuse * base + sum.specular * set.specular * set.specularColor;
   return clamp(shaded, 0.0, 1.0);
 }
 
@@ -44,7 +44,7 @@ vec3 ReflectLocal(const GlyphSetRecord set, const vec3 base, const vec3 ambient,
 vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction, const vec3 ambient)
 {
   GlyphSetRecord set = SetRecord(hit.record);
-  vec3 base = hit.colour.rgb;
+  vec3 base = hit.color.rgb;
   if (set.lighting == 0u)
   {
     return clamp(ambient + set.diffuse * base, 0.0, 1.0);

@@ -18,15 +18,15 @@
 
 struct Surface
 {
-  vec3 base;           // linear, [0, 1]
-  float metallic;      // [0, 1]: probability of metal
-  float roughness;     // [0, 1]
-  float reflectance;   // of the dielectric at normal incidence
-  vec3 specularColour; // tints the dielectric's reflection
-  float coat;          // [0, 1]: weight of the coat's reflection
+  vec3 base;          // linear, [0, 1]
+  float metallic;     // [0, 1]: probability of metal
+  float roughness;    // [0, 1]
+  float reflectance;  // of the dielectric at normal incidence
+  vec3 specularColor; // tints the dielectric's reflection
+  float coat;         // [0, 1]: weight of the coat's reflection
   float coatRoughness;
   float coatReflectance; // at normal incidence
-  vec3 coatColour;       // tints what passes the coat
+  vec3 coatColor;        // tints what passes the coat
 };
 
 // Independent uniform numbers in [0,1)^2.
@@ -145,7 +145,7 @@ RTG_SHADING_FN float LayerReflection(float share, float reflectance, float width
 
 RTG_SHADING_FN vec3 CoatTint(Surface surface)
 {
-  return vec3(1.0f) + surface.coat * (surface.coatColour - vec3(1.0f));
+  return vec3(1.0f) + surface.coat * (surface.coatColor - vec3(1.0f));
 }
 
 // Approximate fraction of environment light that a surface reflects at that angle, all layers together: as if each
@@ -154,7 +154,7 @@ RTG_SHADING_FN vec3 AlbedoSeen(Surface surface, float cosine)
 {
   float facets = (1.0f - surface.metallic) * Fresnel(surface.reflectance, cosine);
   float coat = surface.coat * Fresnel(surface.coatReflectance, cosine);
-  vec3 below = facets * surface.specularColour + (1.0f - facets) * surface.base;
+  vec3 below = facets * surface.specularColor + (1.0f - facets) * surface.base;
   return vec3(coat) + (1.0f - coat) * CoatTint(surface) * below;
 }
 
@@ -194,7 +194,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
     if (u.chance.x < LayerReflection(1.0f, surface.reflectance, width, from, m))
     {
       to = reflect(-from, m);
-      return weight * surface.specularColour;
+      return weight * surface.specularColor;
     }
   }
   to = CosineDirection(u.direction);
@@ -231,7 +231,7 @@ RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers
   if (surface.reflectance > 0.0f)
   {
     vec3 m = VisibleFacet(from, width, u.facet);
-    sum += weight * surface.specularColour *
+    sum += weight * surface.specularColor *
       (Fresnel(surface.reflectance, cosine) * FacetReflection(from, to, middle, width));
     weight *= 1.0f - LayerReflection(1.0f, surface.reflectance, width, from, m);
   }

@@ -13,11 +13,11 @@ vec3 SkyRadiance(const vec3 direction)
 vec3 EmissionOfHit(const SurfaceHit hit)
 {
   GlyphSetRecord set = SetRecord(hit.record);
-  vec3 colour = hit.coloured ? hit.colour.rgb : set.ambientColour;
-  vec3 emission = set.ambient * DisplayToLinear(colour);
+  vec3 color = hit.colored ? hit.color.rgb : set.ambientColor;
+  vec3 emission = set.ambient * DisplayToLinear(color);
   if (set.lighting == 0u)
   {
-    emission += set.diffuse * DisplayToLinear(hit.colour.rgb);
+    emission += set.diffuse * DisplayToLinear(hit.color.rgb);
   }
   return emission;
 }
@@ -27,7 +27,7 @@ vec3 EmissionOfHit(const SurfaceHit hit)
 float AlbedoScale(const SurfaceHit hit, const vec3 albedo)
 {
   float largest = max(albedo.x, max(albedo.y, albedo.z));
-  return !hit.coloured && largest > frame.albedoLimit ? frame.albedoLimit / largest : 1.0;
+  return !hit.colored && largest > frame.albedoLimit ? frame.albedoLimit / largest : 1.0;
 }
 
 #endif

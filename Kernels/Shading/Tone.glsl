@@ -7,9 +7,9 @@
 #endif
 
 // IEC 61966-2-1 (sRGB).
-RTG_SHADING_FN vec3 DisplayToLinear(vec3 colour)
+RTG_SHADING_FN vec3 DisplayToLinear(vec3 color)
 {
-  return mix(pow((colour + 0.055f) / 1.055f, vec3(2.4f)), colour / 12.92f, lessThanEqual(colour, vec3(0.04045f)));
+  return mix(pow((color + 0.055f) / 1.055f, vec3(2.4f)), color / 12.92f, lessThanEqual(color, vec3(0.04045f)));
 }
 
 RTG_SHADING_FN vec3 LinearToDisplay(vec3 light)
@@ -31,7 +31,7 @@ RTG_SHADING_FN vec3 Filmic(vec3 light)
 
 // Keeps light up to 0.9 and hues: all channels are scaled by what brings the largest below 1. The curve is that of
 // "Khronos PBR Neutral Tone Mapper" (Khronos Group, 2024), without its offset for a dielectric's reflection and its
-// turn towards white, which both change the colors of color tables (Testing/Benchmarks/tone_mapping.py).
+// turn toward white, which both change the colors of color tables (Testing/Benchmarks/tone_mapping.py).
 RTG_SHADING_FN vec3 Neutral(vec3 light)
 {
   const float start = 0.9f;

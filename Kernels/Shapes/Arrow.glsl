@@ -182,8 +182,8 @@ RTG_FN void ArrowBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) 
   real3 below;
   real3 above;
   ArrowReach(glyph, below, above);
-  lower = glyph.centre + (glyph.centreLow + below);
-  upper = glyph.centre + (glyph.centreLow + above);
+  lower = glyph.center + (glyph.centerLow + below);
+  upper = glyph.center + (glyph.centerLow + above);
 }
 
 #endif

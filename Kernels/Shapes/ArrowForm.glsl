@@ -88,15 +88,15 @@ RTG_FN ArrowHead HeadOfArrow(const Glyph glyph)
   DoubleWord sideSquared = Add(radiusSquared, TwoProduct(height, height));
   DoubleWord a =
     Divide(Multiply(TwoProduct(radius, height), TwoProduct(rounding, rounding)), Add(SquareRoot(sideSquared), radius));
-  DoubleWord centre = Minus(Add(a, -height)); // distance between the sphere's center and the base
+  DoubleWord center = Minus(Add(a, -height)); // distance between the sphere's center and the base
 
   // The line from the base's rim (0, R) that touches the circle (center, a): its unit normal is
   // (t R - a c, a R + t c) / (R^2 + c^2) with t the tangent's length, t^2 = R^2 + c^2 - a^2.
   DoubleWord twoHeightA = Multiply(a, real(2.0) * height);
   DoubleWord tangent = SquareRoot(Subtract(sideSquared, twoHeightA));
-  DoubleWord along = Subtract(Multiply(tangent, radius), Multiply(a, centre));
-  DoubleWord across = Add(Multiply(a, radius), Multiply(tangent, centre));
-  real norm = radiusSquared.hi + centre.hi * centre.hi;
+  DoubleWord along = Subtract(Multiply(tangent, radius), Multiply(a, center));
+  DoubleWord across = Add(Multiply(a, radius), Multiply(tangent, center));
+  real norm = radiusSquared.hi + center.hi * center.hi;
   head.ball = a;
   head.slope = Divide(along, across);
   head.coneStart = a.hi * (real(1.0) - along.hi / norm);
@@ -126,10 +126,10 @@ RTG_FN void ArrowReach(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) u
     real a = HeadOfArrow(glyph).ball.hi;
     real3 x = RotateToWorld(glyph, real3(worldSize.x, real(0.0), real(0.0)));
     real3 ball = a * sqrt(x * x + unitDisc * unitDisc);
-    real3 centre = tip - a * x;
+    real3 center = tip - a * x;
     real3 reach = glyph.arrow.y * unitDisc;
-    real3 headLower = min(base - reach, centre - ball);
-    real3 headUpper = max(base + reach, centre + ball);
+    real3 headLower = min(base - reach, center - ball);
+    real3 headUpper = max(base + reach, center + ball);
     lower = shaft ? min(lower, headLower) : headLower;
     upper = shaft ? max(upper, headUpper) : headUpper;
   }

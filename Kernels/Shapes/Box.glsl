@@ -48,8 +48,8 @@ RTG_FN void BoxBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) up
     real3 z = RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z));
     reach = abs(x) + abs(y) + abs(z);
   }
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

@@ -86,8 +86,8 @@ RTG_FN void CapsuleBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3
 {
   real3 axis = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
   real3 reach = abs(axis) + EllipsoidReach(glyph, CapsuleEnd(glyph));
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

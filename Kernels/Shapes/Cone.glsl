@@ -62,8 +62,8 @@ RTG_FN void ConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) u
   real3 halfSize = real(0.5) * glyph.size;
   real3 apex = RotateToWorld(glyph, real3(halfSize.x, real(0.0), real(0.0)));
   real3 disc = DiscReach(glyph, real3(real(0.0), halfSize.y, real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
-  lower = glyph.centre + (glyph.centreLow + min(apex, -apex - disc));
-  upper = glyph.centre + (glyph.centreLow + max(apex, -apex + disc));
+  lower = glyph.center + (glyph.centerLow + min(apex, -apex - disc));
+  upper = glyph.center + (glyph.centerLow + max(apex, -apex + disc));
 }
 
 #endif

@@ -53,8 +53,8 @@ RTG_FN void CylinderBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real
   real3 axis = RotateToWorld(glyph, real3(real(0.0), halfSize.y, real(0.0)));
   real3 reach =
     abs(axis) + DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

@@ -46,7 +46,7 @@ struct EnclosureRay
 RTG_FN EnclosureRay ToSphere(const GlyphRay ray, const Glyph glyph, const real radius)
 {
   EnclosureRay local;
-  local.o = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
+  local.o = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
   local.d = ray.direction;
   real away = abs(local.o.x) + abs(local.o.y) + abs(local.o.z);
   local.moved = real(16.0 * RTG_ROUNDOFF) * (away + radius);
@@ -57,7 +57,7 @@ RTG_FN EnclosureRay ToSphere(const GlyphRay ray, const Glyph glyph, const real r
 // same again; the shortest half-length magnifies all of it.
 RTG_FN EnclosureRay ToEnclosure(const GlyphRay ray, const Glyph glyph, const Enclosure outer)
 {
-  real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
+  real3 v = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
   EnclosureRay local;
   local.o = (RotateToLocal(glyph, v) - outer.middle) / outer.halfSize;
   local.d = RotateToLocal(glyph, ray.direction) / outer.halfSize;

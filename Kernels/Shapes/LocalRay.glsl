@@ -14,8 +14,8 @@ struct GlyphRay
 
 struct Glyph
 {
-  real3 centre;
-  real3 centreLow;
+  real3 center;
+  real3 centerLow;
   real3 size;     // full extents along the unit glyph's axes, > 0
   real4 rotation; // unit quaternion (x, y, z, w), unit glyph to world; used only when turned
   bool turned;
@@ -115,7 +115,7 @@ RTG_FN real3 RotateToLocal(const Glyph glyph, const real3 a)
 RTG_FN bool MissesBall(const GlyphRay ray, const Glyph glyph, const real3 middle, const real radius)
 {
   real3 d = ray.direction;
-  real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow) - middle;
+  real3 v = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow) - middle;
   real3 p = v - (dot(v, d) / dot(d, d)) * d;
   real distance = abs(v.x) + abs(v.y) + abs(v.z);
   real reach = radius + real(16.0 * RTG_ROUNDOFF) * (distance + radius);
@@ -126,7 +126,7 @@ RTG_FN bool MissesBall(const GlyphRay ray, const Glyph glyph, const real3 middle
 // frame: from here on errors are relative to the distance between ray and center.
 RTG_FN LocalRay NearRay(const GlyphRay ray, const Glyph glyph)
 {
-  DoubleWord3 offset = Subtract(DoubleWord3(ray.origin, ray.originLow), DoubleWord3(glyph.centre, glyph.centreLow));
+  DoubleWord3 offset = Subtract(DoubleWord3(ray.origin, ray.originLow), DoubleWord3(glyph.center, glyph.centerLow));
   real t0 = -dot(offset.hi, ray.direction) / dot(ray.direction, ray.direction);
 
   return LocalRay(Word(t0), Add(offset, TwoProduct(real3(t0), ray.direction)), Word3(ray.direction));

@@ -51,11 +51,11 @@ struct NestedProbe
   real slope;
   real error; // rounding of f
   TaylorError taylor;
-  real height;  // |z|
-  real2 lows;   // log2 |x|, log2 |y|
-  real2 logs;   // log2 |x| / Rx, log2 |y| / Ry
-  real2 falls;  // -d(log R) / d|z|
-  real2 doubts; // rounding of the logs
+  real height;     // |z|
+  real2 lows;      // log2 |x|, log2 |y|
+  real2 logs;      // log2 |x| / Rx, log2 |y| / Ry
+  real2 falls;     // -d(log R) / d|z|
+  real2 tolerance; // rounding of the logs
 };
 
 // Where z^(q - 1) / (1 - z^q) is least: z^q = 1 - q.
@@ -130,14 +130,14 @@ RTG_FN real PlainProfile(const real z, const real logZ, const real q, RTG_OUT(re
 
 // Rounding of log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
 // z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
-RTG_FN real ProfileDoubt(const real fall, const real z, const real q, const real rounding, const bool outside)
+RTG_FN real ProfileTolerance(const real fall, const real z, const real q, const real rounding, const bool outside)
 {
   real share = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
   return share < real(0.5) ? real(2.0) * share / q : outside ? log2(real(1.0) + share) / q : real(1e9);
 }
 
 // Directions in absolute coordinates.
-RTG_FN real3 Towards(const real3 v, const real3 d)
+RTG_FN real3 Toward(const real3 v, const real3 d)
 {
   return real3(v.x < real(0.0) ? -d.x : d.x, v.y < real(0.0) ? -d.y : d.y, v.z < real(0.0) ? -d.z : d.z);
 }
@@ -194,7 +194,7 @@ RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, cons
   real norm = LogNorm(probe.logs.x, probe.logs.y, field.p, share);
   real3 gradient =
     real3(share.x, share.y, share.x * probe.falls.x + share.y * probe.falls.y) / real3(a.x, a.y, real(1.0));
-  probe.doubts = real2(real(0.0));
+  probe.tolerance = real2(real(0.0));
   if (field.convex)
   {
     real2 outer;
@@ -208,19 +208,19 @@ RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, cons
   {
     probe.f = norm;
     probe.outside = probe.f > real(0.0);
-    probe.doubts.x = ProfileDoubt(probe.falls.x, a.z, field.q, rounding.z, probe.outside);
-    probe.doubts.y = probe.doubts.x;
+    probe.tolerance.x = ProfileTolerance(probe.falls.x, a.z, field.q, rounding.z, probe.outside);
+    probe.tolerance.y = probe.tolerance.x;
     if (field.twoProfiles)
     {
-      probe.doubts.y = ProfileDoubt(probe.falls.y, a.z, field.r, rounding.z, probe.outside);
+      probe.tolerance.y = ProfileTolerance(probe.falls.y, a.z, field.r, rounding.z, probe.outside);
     }
-    probe.doubts += real2(real(16.0) * u) + real(2.0) * real2(rounding.x / a.x, rounding.y / a.y);
+    probe.tolerance += real2(real(16.0) * u) + real(2.0) * real2(rounding.x / a.x, rounding.y / a.y);
     // Outside the larger quotient alone keeps N up; inside neither may be large.
     probe.error = real(16.0) * u * (real(1.0) + real(1.0) / field.p) +
-      (probe.outside ? dot(share, probe.doubts) : LogNorm(probe.logs + probe.doubts, field.p) - norm);
+      (probe.outside ? dot(share, probe.tolerance) : LogNorm(probe.logs + probe.tolerance, field.p) - norm);
     gradient = real(RTG_LOG2_E) * gradient;
   }
-  probe.slope = dot(gradient, Towards(v, field.d));
+  probe.slope = dot(gradient, Toward(v, field.d));
   probe.taylor = TaylorErrorOf(field, gradient, v, field.d, probe.falls);
   return probe;
 }
@@ -247,8 +247,8 @@ RTG_FN DoubleWord NextBreak(const NestedField field, const DoubleWord after, RTG
   if (!field.convex)
   {
     real3 middle = field.o + (real(0.5) * (after.hi + next.hi)) * field.d;
-    real3 v = Towards(middle, field.o);
-    real3 d = Towards(middle, field.d);
+    real3 v = Toward(middle, field.o);
+    real3 d = Toward(middle, field.d);
     real turnX = NestedExtremum(v.x, d.x, v.z, d.z, field.q, after.hi);
     real turnY = NestedExtremum(v.y, d.y, v.z, d.z, field.r, after.hi);
     real low = min(turnX, turnY);
@@ -266,7 +266,7 @@ RTG_FN DoubleWord NextBreak(const NestedField field, const DoubleWord after, RTG
 //   |x|^(p-1) R^-p x' + (x / R)^p fall z',
 // in which every factor is monotone, but for the fall of a profile with q < 1.
 RTG_FN real2 NestedSlopeOfTerm(const real p, const real unit, const real2 lows, const real2 logs, const real2 falls,
-  const real2 heights, const real steepAt, const real leastFall, const real2 doubts, const real dx, const real dz)
+  const real2 heights, const real steepAt, const real leastFall, const real2 tolerance, const real dx, const real dz)
 {
   real2 k = (p - real(1.0)) * lows;
   real2 r = lows - logs;
@@ -275,7 +275,7 @@ RTG_FN real2 NestedSlopeOfTerm(const real p, const real unit, const real2 lows, 
   bool dips = steepAt > min(heights.x, heights.y) && steepAt < max(heights.x, heights.y);
   real fallMost = SafeExp2(p * (max(logs.x, logs.y) - unit)) * max(falls.x, falls.y);
   real fallLeast = SafeExp2(p * (min(logs.x, logs.y) - unit)) * (dips ? leastFall : min(falls.x, falls.y));
-  real pad = (real(1.0) + p) * min(doubts.x, doubts.y) * (abs(dx) * most + abs(dz) * fallMost);
+  real pad = (real(1.0) + p) * min(tolerance.x, tolerance.y) * (abs(dx) * most + abs(dz) * fallMost);
   real low = dx * (dx < real(0.0) ? most : least) + dz * (dz < real(0.0) ? fallMost : fallLeast);
   real high = dx * (dx < real(0.0) ? least : most) + dz * (dz < real(0.0) ? fallLeast : fallMost);
   return real2(low - pad, high + pad);
@@ -302,13 +302,13 @@ RTG_FN Window WindowOf(
   if (!field.convex)
   {
     real2 rises = b.logs - a.logs;
-    real2 doubts = a.doubts + b.doubts;
+    real2 tolerance = a.tolerance + b.tolerance;
     bool together =
-      abs(rises.x) > doubts.x && abs(rises.y) > doubts.y && (rises.x > real(0.0)) == (rises.y > real(0.0));
+      abs(rises.x) > tolerance.x && abs(rises.y) > tolerance.y && (rises.x > real(0.0)) == (rises.y > real(0.0));
     // One of the quotients is all there is.
     real apart =
       max(min(a.logs.x, b.logs.x) - max(a.logs.y, b.logs.y), min(a.logs.y, b.logs.y) - max(a.logs.x, b.logs.x));
-    bool alone = field.p * (apart - max(doubts.x, doubts.y)) > real(60.0);
+    bool alone = field.p * (apart - max(tolerance.x, tolerance.y)) > real(60.0);
     window.unique = together || alone;
     window.empty = window.unique && width > real(64.0 * RTG_ROUNDOFF);
   }
@@ -316,8 +316,8 @@ RTG_FN Window WindowOf(
   {
     real2 largest = max(a.logs, b.logs);
     real2 smallest = min(a.logs, b.logs);
-    real2 inner = min(a.logs - a.doubts, b.logs - b.doubts);
-    real2 outer = max(a.logs + a.doubts, b.logs + b.doubts);
+    real2 inner = min(a.logs - a.tolerance, b.logs - b.tolerance);
+    real2 outer = max(a.logs + a.tolerance, b.logs + b.tolerance);
     real bound = sign > real(0.0) ? LogNorm(inner, field.p) : -LogNorm(outer, field.p);
 
     // Over the largest term, so that nothing that counts under- or overflows; f' = slope 2^(p (most - f)) with
@@ -325,13 +325,13 @@ RTG_FN Window WindowOf(
     real most = max(largest.x, largest.y);
     real least = LogNorm(smallest, field.p);
     real2 heights = real2(a.height, b.height);
-    real3 d = Towards(field.o + (real(0.5) * (a.where.hi + b.where.hi)) * field.d, field.d);
+    real3 d = Toward(field.o + (real(0.5) * (a.where.hi + b.where.hi)) * field.d, field.d);
     real2 slopes = NestedSlopeOfTerm(field.p, most, real2(a.lows.x, b.lows.x), real2(a.logs.x, b.logs.x),
                      real2(a.falls.x, b.falls.x), heights, field.steepAt.x, field.leastFall.x,
-                     real2(a.doubts.x, b.doubts.x), d.x, d.z) +
+                     real2(a.tolerance.x, b.tolerance.x), d.x, d.z) +
       NestedSlopeOfTerm(field.p, most, real2(a.lows.y, b.lows.y), real2(a.logs.y, b.logs.y),
-        real2(a.falls.y, b.falls.y), heights, field.steepAt.y, field.leastFall.y, real2(a.doubts.y, b.doubts.y), d.y,
-        d.z);
+        real2(a.falls.y, b.falls.y), heights, field.steepAt.y, field.leastFall.y, real2(a.tolerance.y, b.tolerance.y),
+        d.y, d.z);
     real stretch = field.p * (most - least);
     stretch = real(RTG_LOG2_E) * (stretch < real(60.0) ? exp2(stretch) : real(1e18));
     window.slopeA = stretch * (sign > real(0.0) ? slopes.x : -slopes.y);

@@ -52,8 +52,8 @@ RTG_FN real DualNorm(const real a, const real b, const real exponent)
 }
 
 // Half the extent along each world axis is the glyph's support function there: of the dual norms, one in the other. A
-// profile that is convex towards the axis (beta > 2) reaches as far as its hull. Of two profiles the fuller one counts,
-// which is exact when both are straight or convex towards the axis.
+// profile that is convex toward the axis (beta > 2) reaches as far as its hull. Of two profiles the fuller one counts,
+// which is exact when both are straight or convex toward the axis.
 RTG_FN void NestedSuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 reach = real(0.5) * glyph.size;
@@ -67,8 +67,8 @@ RTG_FN void NestedSuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RT
     reach = real3(DualNorm(DualNorm(x.x, y.x, e.x), z.x, profile), DualNorm(DualNorm(x.y, y.y, e.x), z.y, profile),
       DualNorm(DualNorm(x.z, y.z, e.x), z.z, profile));
   }
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

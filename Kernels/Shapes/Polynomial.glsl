@@ -532,8 +532,8 @@ RTG_FN void PolynomialBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(re
     real3 z = abs(RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z)));
     reach = min(x + y + z, EllipsoidReach(glyph, halfSize));
   }
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

@@ -92,8 +92,8 @@ RTG_FN real3 GlyphNormal(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
 // Axis-aligned bounds in the frame of the centers, tight but for rounding: pad them before use.
 RTG_FN void GlyphBounds(const RTG_SHAPE shape, const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
-  lower = glyph.centre;
-  upper = glyph.centre;
+  lower = glyph.center;
+  upper = glyph.center;
 #define RTG_BOUNDS(number, Name)                                                                                       \
   if (RTG_IS(shape, number))                                                                                           \
   {                                                                                                                    \

@@ -29,7 +29,7 @@ struct RoundConeForm
   DoubleWord halfLength; // between the middles of the balls
   DoubleWord first;      // radius of the ball at -x
   DoubleWord last;       // and at +x
-  DoubleWord sine;       // of the angle between side and axis: the radius falls towards +x
+  DoubleWord sine;       // of the angle between side and axis: the radius falls toward +x
   DoubleWord cosine;
   bool ball; // one ball holds the other
 };
@@ -209,7 +209,7 @@ RTG_FN bool InHull(const real3 p, const real3 first, const real firstRadius, con
 // Whether the ray's point at t is inside a piece of a line, and of those that share it the first.
 RTG_FN bool IsInPiece(const GlyphRay ray, const Glyph glyph, const real t)
 {
-  real3 p = FromCentre(ray, glyph, t);
+  real3 p = FromCenter(ray, glyph, t);
   real3 last = real3(real(0.5) * glyph.size.x, real(0.0), real(0.0));
   real first = real(0.5) * glyph.size.y;
   bool held = InHull(p, -last, first, last, real(0.5) * glyph.size.z);
@@ -280,16 +280,16 @@ RTG_FN int EstimateInNextPiece(const real3 p, const real3 joint, const real radi
   real squaredCosine = real(1.0) - sine * sine;
   real along = dot(p - joint, axis) / run;
   real beyond = (along - radius * sine) * cosine + own * sqrt(max(squaredCosine, real(0.0)));
-  real doubt = error * (real(4.0) + extent / run);
+  real tolerance = error * (real(4.0) + extent / run);
   real toEnd = run + next.w * sine - along;
   real depth = next.w * next.w - dot(p - far, p - far);
-  real depthDoubt = real(8.0) * extent * error;
+  real depthTolerance = real(8.0) * extent * error;
   int answer = RTG_UNKNOWN;
-  if (touches && beyond > doubt && (toEnd > doubt || depth > depthDoubt))
+  if (touches && beyond > tolerance && (toEnd > tolerance || depth > depthTolerance))
   {
     answer = RTG_INSIDE;
   }
-  if (beyond < -doubt || (toEnd < -doubt && depth < -depthDoubt))
+  if (beyond < -tolerance || (toEnd < -tolerance && depth < -depthTolerance))
   {
     answer = RTG_OUTSIDE;
   }
@@ -306,27 +306,27 @@ EstimateInner(const Glyph glyph, const real3 p, const real sine, const real cosi
   // From the planes of the circles of tangency.
   real afterFirst = p.x + halfLength - first * sine;
   real beforeLast = halfLength - p.x + last * sine;
-  real doubt = real(2.0) * error;
+  real tolerance = real(2.0) * error;
   int inBefore = RTG_OUTSIDE;
   int inAfter = RTG_OUTSIDE;
   if (glyph.before.w > real(0.0))
   {
-    bool side = beforeLast > doubt;
+    bool side = beforeLast > tolerance;
     inBefore = EstimateInNextPiece(p, real3(-halfLength, real(0.0), real(0.0)), first, glyph.before, side,
       side ? -afterFirst : real(0.0), cosine, error, extent);
-    if (!(afterFirst > doubt))
+    if (!(afterFirst > tolerance))
     {
-      inBefore = afterFirst < -doubt ? RTG_INSIDE : RTG_UNKNOWN;
+      inBefore = afterFirst < -tolerance ? RTG_INSIDE : RTG_UNKNOWN;
     }
   }
   if (glyph.after.w > real(0.0))
   {
-    bool touches = afterFirst > doubt;
+    bool touches = afterFirst > tolerance;
     inAfter = EstimateInNextPiece(p, real3(halfLength, real(0.0), real(0.0)), last, glyph.after, touches,
       touches ? min(-beforeLast, real(0.0)) : real(0.0), cosine, error, extent);
   }
-  bool cut = (glyph.before.w < real(0.0) && !(p.x + halfLength > doubt)) ||
-    (glyph.after.w < real(0.0) && !(halfLength - p.x > doubt));
+  bool cut = (glyph.before.w < real(0.0) && !(p.x + halfLength > tolerance)) ||
+    (glyph.after.w < real(0.0) && !(halfLength - p.x > tolerance));
   int answer = RTG_UNKNOWN;
   if (inBefore == RTG_OUTSIDE && inAfter == RTG_OUTSIDE)
   {
@@ -353,14 +353,14 @@ RTG_FN int EstimateRoundCone(
   bool joined = glyph.before.w > real(0.0) || glyph.after.w > real(0.0);
   bool hasDisc = glyph.before.w < real(0.0) || glyph.after.w < real(0.0);
 
-  real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
+  real3 v = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
   real nearest = -dot(v, ray.direction) / dot(ray.direction, ray.direction);
   real3 p = RotateToLocal(glyph, v + nearest * ray.direction);
   real3 d = RotateToLocal(glyph, ray.direction);
   real extent = halfLength + max(first, last) + max(glyph.before.w, real(0.0)) + max(glyph.after.w, real(0.0));
   real moved = real(16.0 * RTG_ROUNDOFF) * (abs(v.x) + abs(v.y) + abs(v.z) + real(6.0) * extent);
-  real doubt = real(4.0) * (extent + moved) * moved;
-  if (!(doubt > real(1.0e-30) && doubt < real(1.0e30)))
+  real tolerance = real(4.0) * (extent + moved) * moved;
+  if (!(tolerance > real(1.0e-30) && tolerance < real(1.0e30)))
   {
     return RTG_UNKNOWN;
   }
@@ -404,7 +404,7 @@ RTG_FN int EstimateRoundCone(
     real3 q = m + toNearest * d;
     real qq = dot(q, q);
     real depth = ballRadius * ballRadius - qq;
-    going = depth > real(4.0) * doubt;
+    going = depth > real(4.0) * tolerance;
     if (going)
     {
       real halfChord = sqrt(depth);
@@ -413,7 +413,7 @@ RTG_FN int EstimateRoundCone(
       // How far the balls at the ends reach beyond the plane that touches the ball there.
       real tilt = n.x - ballRadius * sine;
       real excess = max(max(-middle * tilt, (along - middle) * tilt), real(0.0)) / halfChord;
-      real uncertain = real(2.0) * (moved + doubt / halfChord);
+      real uncertain = real(2.0) * (moved + tolerance / halfChord);
       real at = nearest + (toNearest - toSurface);
       real inner = at + sign * perUnit * uncertain;
       real outer = at - sign * perUnit * (uncertain + excess);
@@ -466,7 +466,7 @@ RTG_FN int EstimateRoundCone(
     {
       // It passes by if both balls lie behind a plane along it.
       real distance = sqrt(qq);
-      if (min(qq + q.x * middle - first * distance, qq - q.x * (along - middle) - last * distance) > doubt)
+      if (min(qq + q.x * middle - first * distance, qq - q.x * (along - middle) - last * distance) > tolerance)
       {
         verdict = RTG_MISSED;
       }
@@ -516,8 +516,8 @@ RTG_FN void RoundConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(rea
   real3 toLast = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
   real3 first = real3(real(0.5) * glyph.size.y);
   real3 last = real3(real(0.5) * glyph.size.z);
-  lower = glyph.centre + (glyph.centreLow + min(-toLast - first, toLast - last));
-  upper = glyph.centre + (glyph.centreLow + max(first - toLast, toLast + last));
+  lower = glyph.center + (glyph.centerLow + min(-toLast - first, toLast - last));
+  upper = glyph.center + (glyph.centerLow + max(first - toLast, toLast + last));
 }
 
 #endif

@@ -226,7 +226,7 @@ RTG_FN real3 PointAt(const LocalRay ray, const DoubleWord s)
 
 // The vector from the glyph's center to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's
 // size beside what the rounding of t does.
-RTG_FN real3 FromCentre(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 FromCenter(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay near = NearRay(ray, glyph);
   return RotateToLocal(glyph, PointAt(near, Add(Word(t), Minus(near.start))));

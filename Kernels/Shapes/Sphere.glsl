@@ -23,7 +23,7 @@ RTG_FN real SquaredDepth(const DoubleWord radiusSquared, const DoubleWord3 o)
 // The span inside |o + s d| <= radius when o is close to the point of the line nearest to the origin: then
 // b is next to nothing and b^2 + a c cancels only inside c, which is compensated.
 // Haines et al.: Precision improvements for ray/sphere intersection, Ray Tracing Gems, chapter 7, 2019.
-RTG_FN Span CentredSphereSpan(const DoubleWord3 o, const real3 d, const DoubleWord radiusSquared)
+RTG_FN Span CenteredSphereSpan(const DoubleWord3 o, const real3 d, const DoubleWord radiusSquared)
 {
   real a = dot(d, d);
   real b = dot(o.hi, d);
@@ -38,10 +38,10 @@ RTG_FN Span CentredSphereSpan(const DoubleWord3 o, const real3 d, const DoubleWo
 }
 
 // The span inside the ball of that radius round a point of the x axis, from an origin moved next to it.
-RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centreX, const DoubleWord radius, const int face)
+RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centerX, const DoubleWord radius, const int face)
 {
-  LocalRay ball = NextTo(ray, Subtract(WordX(ray.origin), centreX));
-  Span span = Later(CentredSphereSpan(ball.origin, ray.direction.hi, Multiply(radius, radius)), ball.start);
+  LocalRay ball = NextTo(ray, Subtract(WordX(ray.origin), centerX));
+  Span span = Later(CenteredSphereSpan(ball.origin, ray.direction.hi, Multiply(radius, radius)), ball.start);
   span.faceIn = face;
   span.faceOut = face;
   return span;
@@ -68,7 +68,7 @@ RTG_FN bool SphereCrossing(const GlyphRay ray, const Glyph glyph, const real tMi
       return NoCrossing(local, crossing);
     }
     local = NearRay(ray, glyph);
-    span = CentredSphereSpan(local.origin, ray.direction, TwoProduct(halfSize.x, halfSize.x));
+    span = CenteredSphereSpan(local.origin, ray.direction, TwoProduct(halfSize.x, halfSize.x));
   }
   else
   {
@@ -77,7 +77,7 @@ RTG_FN bool SphereCrossing(const GlyphRay ray, const Glyph glyph, const real tMi
       return NoCrossing(local, crossing);
     }
     local = ToUnitSphere(local, halfSize);
-    span = CentredSphereSpan(local.origin, local.direction.hi, Word(real(1.0)));
+    span = CenteredSphereSpan(local.origin, local.direction.hi, Word(real(1.0)));
   }
   return FirstCrossing(local, span, tMin, tMax, crossing);
 }
@@ -153,8 +153,8 @@ RTG_FN void SphereBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3)
   {
     reach = EllipsoidReach(glyph, reach);
   }
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

@@ -139,7 +139,7 @@ RTG_FN DoubleWord NextBreak(const SuperquadricField field, const DoubleWord afte
 RTG_FN void WindowAxis(const real e, const real outward, const real termA, const real termB, const real slopeA,
   const real slopeB, const real width, RTG_OUT(real) lineA, RTG_OUT(real) lineB, RTG_OUT(real) steepest)
 {
-  // A cusp at the window's end falls towards it.
+  // A cusp at the window's end falls toward it.
   real atA = outward * slopeA;
   real atB = outward * (slopeB >= real(RTG_CUSP) ? -slopeB : slopeB);
   bool convex = (e >= real(1.0)) == (outward > real(0.0));
@@ -362,8 +362,8 @@ RTG_FN void SuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(
       SuperquadricReach(real3(x.y, y.y, z.y), glyph.exponents),
       SuperquadricReach(real3(x.z, y.z, z.z), glyph.exponents));
   }
-  lower = glyph.centre + (glyph.centreLow - reach);
-  upper = glyph.centre + (glyph.centreLow + reach);
+  lower = glyph.center + (glyph.centerLow - reach);
+  upper = glyph.center + (glyph.centerLow + reach);
 }
 
 #endif

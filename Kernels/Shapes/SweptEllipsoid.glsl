@@ -265,8 +265,8 @@ RTG_FN void SweptEllipsoidBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OU
   real3 x = real3(real(1.0), real(0.0), real(0.0));
   real3 y = real3(real(0.0), real(1.0), real(0.0));
   real3 z = real3(real(0.0), real(0.0), real(1.0));
-  lower = glyph.centre + (glyph.centreLow - real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)));
-  upper = glyph.centre + (glyph.centreLow + real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
+  lower = glyph.center + (glyph.centerLow - real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)));
+  upper = glyph.center + (glyph.centerLow + real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
 }
 
 #endif

@@ -50,7 +50,7 @@ void vtkRayTracedExporter::WriteData()
     if (vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer))
     {
       scene->ForEachShown(
-        [&](const rtg::GlyphInstances& instances, const rtg::GlyphColours& colors, const rtg::Material& material)
+        [&](const rtg::GlyphInstances& instances, const rtg::GlyphColors& colors, const rtg::Material& material)
         {
           surfaces |= instances.identifyTriangles;
           auto set = instances.identifyTriangles

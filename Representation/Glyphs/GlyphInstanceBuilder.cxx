@@ -82,7 +82,7 @@ private:
   void Allocate(std::size_t count)
   {
     const auto allocate = [count](auto& values, bool wanted) { values.resize(wanted ? count : 0); };
-    allocate(this->Instances.centres, true);
+    allocate(this->Instances.centers, true);
     allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
     allocate(this->Instances.exponents3,
       (this->Maker.GetSizes().GetTensors() && HasExponents(this->How.Shape)) ||
@@ -123,7 +123,7 @@ private:
     {
       this->NeedsLowParts = true;
     }
-    this->Instances.centres[number] = center;
+    this->Instances.centers[number] = center;
     this->Motion.Store(this->Instances.motion, number, point, this->Maker.GetPlacement().Linear, this->Rotation);
     if (!this->Instances.opacities.empty())
     {
@@ -188,9 +188,9 @@ private:
     keep(this->Out.Points);
     keep(this->Out.Radii);
     keep(this->Shifts);
-    rtg::GlyphColours colours; // are not made here
+    rtg::GlyphColors colors; // are not made here
     rtg::ForEachArray(
-      this->Instances, colours, [&keep](std::size_t, std::uint32_t, auto& values, const char*) { keep(values); });
+      this->Instances, colors, [&keep](std::size_t, std::uint32_t, auto& values, const char*) { keep(values); });
   }
 
   void Finish()
@@ -215,7 +215,7 @@ private:
     {
       return;
     }
-    this->Instances.centresLow.resize(this->Out.Points.size());
+    this->Instances.centersLow.resize(this->Out.Points.size());
     rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Out.Points.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -227,7 +227,7 @@ private:
           const glm::dvec3 center = this->Maker.CenterOf(this->Out.Points[k], all.origin, tuples,
             this->Shifts.empty() ? this->Maker.GetShift() : this->Shifts[k], length,
             all.rotations.empty() ? rtglyphs::GlyphMaker::NoTurn : all.rotations[k]);
-          this->Instances.centresLow[k] = glm::vec3(center - glm::dvec3(all.centres[k]));
+          this->Instances.centersLow[k] = glm::vec3(center - glm::dvec3(all.centers[k]));
         }
       });
   }
@@ -256,8 +256,8 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   instances.arrow = settings.Arrow;
   // Quadratic forms give the sign of tensors.
   const auto surface = settings.SurfaceColors();
-  using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
-  instances.surfaceColours = surface == SurfaceColours::Sign && !settings.Forms.On ? SurfaceColours::None : surface;
+  using SurfaceColors = rtg::GlyphInstances::SurfaceColors;
+  instances.surfaceColors = surface == SurfaceColors::Sign && !settings.Forms.On ? SurfaceColors::None : surface;
   const bool isMesh = settings.Shape == rtg::Shape::Mesh;
   if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
   {

@@ -34,9 +34,9 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
   {
     settings.ArrowReference = none.ArrowReference;
   }
-  if (!settings.NeedsHighScale())
+  if (!settings.NeedsScalePercentile())
   {
-    settings.HighScale = none.HighScale;
+    settings.ScalePercentile = none.ScalePercentile;
   }
   if (!settings.Scaling)
   {
@@ -94,20 +94,22 @@ rtglyphs::GlyphScaling rtglyphs::GlyphSettings::OfMagnitudes() const
 double rtglyphs::GlyphSettings::ReferenceScale() const
 {
   const bool scaled = this->Scaling && !rtglyphs::RayTracedArrays::IsNone(this->ScaleArray);
-  const double reference = this->NeedsHighScale() ? this->HighScale : scaled ? this->Sizing(this->ArrowReference) : 1.0;
+  const double reference = this->NeedsScalePercentile() ? this->ScalePercentile
+    : scaled                                            ? this->Sizing(this->ArrowReference)
+                                                        : 1.0;
   return rtg::IsPositive(reference) ? reference : 1.0;
 }
 
 //----------------------------------------------------------------------------
-rtg::GlyphInstances::SurfaceColours rtglyphs::GlyphSettings::SurfaceColors() const
+rtg::GlyphInstances::SurfaceColors rtglyphs::GlyphSettings::SurfaceColors() const
 {
-  using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
+  using SurfaceColors = rtg::GlyphInstances::SurfaceColors;
   if (this->Tensors.ColorsBySign() || (this->Forms.On && this->Forms.Coloring == rtglyphs::GlyphTensors::SIGN))
   {
-    return SurfaceColours::Sign;
+    return SurfaceColors::Sign;
   }
   const bool direction = this->Forms.On && this->DirectionColoring != rtglyphs::DirectionColors::NONE;
-  return direction ? SurfaceColours::Direction : SurfaceColours::None;
+  return direction ? SurfaceColors::Direction : SurfaceColors::None;
 }
 
 //----------------------------------------------------------------------------
@@ -180,7 +182,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Trails(int steps, bool transluc
   settings.TrailJoined = translucent;
   settings.Motion = rtglyphs::GlyphMotion::Settings();
   settings.TableSize = 1;
-  if (settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None || settings.Forms.ColorsByRadius())
+  if (settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColors::None || settings.Forms.ColorsByRadius())
   {
     settings.Tensors.Coloring = settings.Forms.Coloring = rtglyphs::GlyphTensors::NONE;
   }

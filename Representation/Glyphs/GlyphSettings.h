@@ -78,8 +78,9 @@ struct GlyphSettings : GlyphScaling
   RayTracedChoice<OrientationModes, DIRECTION, QUATERNION> OrientationMode;
   RayTracedChoice<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
   rtg::ArrowForm Arrow;                         // its unit length is computed
-  double ArrowReference = 0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: HighScale's
-  double HighScale = 0.0;      // 95th percentile of the scales of all ranks' glyphs (GlyphHighScale)
+  double ArrowReference =
+    0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: ScalePercentile's
+  double ScalePercentile = 0.0; // 95th percentile of the scales of all ranks' glyphs (GlyphScalePercentile)
   std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
   int TableSize = 1;                             // of a table of meshes, of which Mesh is
   int TableEntry = 0;                            // that number: only points that choose it show it
@@ -115,7 +116,7 @@ struct GlyphSettings : GlyphScaling
   /**
    * Whether fixed arrow heads have the proportions of the unit arrow on the 95th percentile's arrow.
    */
-  bool NeedsHighScale() const
+  bool NeedsScalePercentile() const
   {
     return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
       !RayTracedArrays::IsNone(this->ScaleArray) && !rtg::IsPositive(this->ArrowReference);
@@ -140,7 +141,7 @@ struct GlyphSettings : GlyphScaling
    * Color rule for points of each glyph's surface: none, the sign of the tensor or polynomial in their direction,
    * or that direction.
    */
-  rtg::GlyphInstances::SurfaceColours SurfaceColors() const;
+  rtg::GlyphInstances::SurfaceColors SurfaceColors() const;
 
   /**
    * Whether one number of each glyph, or of each point of its surface, colors it: one of GlyphTensorRange.

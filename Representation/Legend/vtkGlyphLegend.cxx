@@ -118,7 +118,7 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, doubl
   glyphs.arrow = settings.Arrow;
   glyphs.arrow.unitLength = static_cast<float>(unit);
   glyphs.uniformSize = static_cast<float>(size);
-  glyphs.centres.resize(1);
+  glyphs.centers.resize(1);
   if (settings.Shape == rtg::Shape::Mesh)
   {
     glyphs.shape = rtg::Shape::Box;
@@ -127,13 +127,13 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, doubl
   else if (settings.Sizing.Split)
   {
     const auto half = static_cast<float>(std::sqrt(0.5));
-    glyphs.centres.clear();
+    glyphs.centers.clear();
     for (int part = 0; part < settings.Parts(); ++part)
     {
       const rtglyphs::GlyphSettings::Cylinder cylinder = settings.CylinderOf(number, part);
       if (cylinder.Length() > 0.0)
       {
-        glyphs.centres.emplace_back(0.5 * (cylinder.Begin + cylinder.End) * unit, 0.0, 0.0);
+        glyphs.centers.emplace_back(0.5 * (cylinder.Begin + cylinder.End) * unit, 0.0, 0.0);
         glyphs.sizes3.emplace_back(unit * glm::dvec3(2.0 * cylinder.Radius, cylinder.Length(), 2.0 * cylinder.Radius));
         glyphs.rotations.emplace_back(0.0f, 0.0f, -half, half);
       }
@@ -144,7 +144,7 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, doubl
     const auto half = static_cast<float>(std::sqrt(0.5));
     glyphs.uniformSize *= 0.5f;
     glyphs.rotations = { { 0, 0, 0, 1 }, { 0, 0, half, half }, { 0, 0, 1, 0 }, { 0, 0, -half, half } };
-    glyphs.centres.resize(glyphs.rotations.size());
+    glyphs.centers.resize(glyphs.rotations.size());
   }
   else if (settings.Tensors.On || settings.Forms.On)
   {
@@ -153,7 +153,7 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, doubl
   else if (settings.HasOwnExponents() &&
     !rtglyphs::GlyphMaker::MakeExponents(settings.Shape, settings.Exponents, 3, glyphs.uniformExponents))
   {
-    glyphs.centres.clear();
+    glyphs.centers.clear();
   }
   return glyphs;
 }

@@ -57,7 +57,7 @@ std::size_t DigestOf(const rtg::GlyphInstances& instances)
   const rtg::ArrowForm& arrow = instances.arrow;
   const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
     arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize, static_cast<float>(instances.shape),
-    static_cast<float>(instances.polynomialDegree), static_cast<float>(instances.surfaceColours) };
+    static_cast<float>(instances.polynomialDegree), static_cast<float>(instances.surfaceColors) };
   Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
   Mix(sum, &instances.origin, 1);
   Mix(sum, &instances.uniformExponents, 1);
@@ -67,8 +67,8 @@ std::size_t DigestOf(const rtg::GlyphInstances& instances)
     Mix(sum, mesh->triangles.data(), mesh->triangles.size());
     Mix(sum, mesh->normals.data(), mesh->normals.size());
   }
-  const rtg::GlyphColours colours; // are compared by themselves
-  rtg::ForEachArray(instances, colours,
+  const rtg::GlyphColors colors; // are compared by themselves
+  rtg::ForEachArray(instances, colors,
     [&](std::size_t, std::uint32_t, const auto& values, const char*)
     { Mix(sum, rtg::Flat(values).data(), rtg::Flat(values).size()); });
   const float shutter[] = { instances.motion.shutterOpen, instances.motion.shutterClose };
@@ -189,11 +189,11 @@ rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
 void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 {
   const rtglyphs::GlyphTensors::Settings& tensors = this->Settings.Tensors;
-  const bool bySign = this->Settings.SurfaceColors() == rtg::GlyphInstances::SurfaceColours::Sign;
+  const bool bySign = this->Settings.SurfaceColors() == rtg::GlyphInstances::SurfaceColors::Sign;
   for (int c = 0; c < 3 && bySign; ++c)
   {
-    material.positiveColour[c] = static_cast<float>(tensors.PositiveColor[c]);
-    material.negativeColour[c] = static_cast<float>(tensors.NegativeColor[c]);
+    material.positiveColor[c] = static_cast<float>(tensors.PositiveColor[c]);
+    material.negativeColor[c] = static_cast<float>(tensors.NegativeColor[c]);
   }
 }
 
@@ -227,7 +227,7 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 //----------------------------------------------------------------------------
 // The table of |f| on a surface has enough entries for a part of it to be spread over all colors. Its last two belong
 // to what is no number and what has none, which do not come.
-void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
+void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColors& colors)
 {
   constexpr int entries = 4096;
   this->TensorTable->Build();
@@ -342,7 +342,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   std::unique_ptr<rtglyphs::GlyphTensors> tensors;
   const rtglyphs::GlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
-  const bool bySurface = byRadius || this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
+  const bool bySurface = byRadius || this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColors::None;
   const bool byDirection =
     !shown.Axes && !bySurface && this->Settings.DirectionColoring != rtglyphs::DirectionColors::NONE;
   if (shown.On && !shown.Axes && !bySurface && (byDirection || shown.Coloring != rtglyphs::GlyphTensors::NONE) &&
@@ -367,7 +367,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     directions = this->DirectionsAsColors(points, tensors.get(), messages);
   }
 
-  rtg::GlyphColours colors;
+  rtg::GlyphColors colors;
   if (byRadius && this->TensorTable && !this->Radii.empty())
   {
     this->AddRadiusColors(colors);
@@ -414,7 +414,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 
 //----------------------------------------------------------------------------
 // The opacity falls with each step by the same amount.
-void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColours& colors) const
+void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColors& colors) const
 {
   const auto at = [&](std::uint16_t step)
   {

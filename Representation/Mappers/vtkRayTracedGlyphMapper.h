@@ -67,8 +67,8 @@ private:
     vtkPolyData* points, const rtglyphs::GlyphTensors* tensors, std::vector<std::string>& messages) const;
   vtkSmartPointer<vtkDoubleArray> NumbersOf(const rtglyphs::GlyphTensors& tensors);
   vtkSmartPointer<vtkUnsignedCharArray> TableColors(vtkDoubleArray* numbers);
-  void AddRadiusColors(rtg::GlyphColours& colors);
-  void AddFading(rtg::GlyphColours& colors) const;
+  void AddRadiusColors(rtg::GlyphColors& colors);
+  void AddFading(rtg::GlyphColors& colors) const;
 
   rtglyphs::GlyphSettings Settings;
   rtglyphs::GlyphSettings BuiltSettings; // the effective ones

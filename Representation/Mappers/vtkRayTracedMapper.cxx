@@ -328,7 +328,7 @@ void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::v
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetColors(rtg::GlyphColours colors, const std::vector<std::string>& messages)
+void vtkRayTracedMapper::SetColors(rtg::GlyphColors colors, const std::vector<std::string>& messages)
 {
   this->Translucent = rtg::AnyTranslucent(colors);
   if (this->ColorVersion == 0 || !(this->Colors == colors))

@@ -85,7 +85,7 @@ public:
   std::uint64_t GetColorVersion() const { return this->ColorVersion; }
   virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
   virtual const rtg::GlyphInstances* GetInstances() const = 0;
-  const rtg::GlyphColours& GetColors() const { return this->Colors; }
+  const rtg::GlyphColors& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
   const rtg::Section& GetSection() const { return *this->Section; }
   const rtg::PeriodicImages& GetImages() const { return *this->Images; }
@@ -216,7 +216,7 @@ protected:
   /**
    * Maps the arrays that color the blocks, each block by itself, as VTK's mappers do. Where values of points are
    * interpolated before they are mapped, all by one table, and no block has a color or opacity, it gives values in
-   * [0, 1], negative for NaN, and that table (rtg::GlyphColours, rtg::TriangleMesh). `what`: what messages call it.
+   * [0, 1], negative for NaN, and that table (rtg::GlyphColors, rtg::TriangleMesh). `what`: what messages call it.
    * ColorOf() is the color of a point, or of its cell, with the solid color of the block where it has no other.
    */
   struct MappedColors
@@ -262,7 +262,7 @@ protected:
    * Colors that were built, which have a new version where they differ from the last ones, and what is to be reported
    * of them.
    */
-  void SetColors(rtg::GlyphColours colors, const std::vector<std::string>& messages);
+  void SetColors(rtg::GlyphColors colors, const std::vector<std::string>& messages);
 
   std::vector<rtglyphs::RayTracedBlocks::Block> Blocks;
   rtglyphs::RayTracedRanges Hidden; // points
@@ -271,7 +271,7 @@ protected:
   vtkIdType Skipped = 0;
   std::string MissingInput;
   bool InWindow = false, Aside = false;
-  rtg::GlyphColours Colors;
+  rtg::GlyphColors Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, OriginalIdsVersion = 0, InstanceBuilds = 0;

@@ -46,7 +46,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
     this->Instances = rtg::GlyphInstances();
     this->Instances.shape = rtg::Shape::Mesh;
     this->Instances.identifyTriangles = true;
-    this->Instances.centres = { glm::vec3(0.0f) };
+    this->Instances.centers = { glm::vec3(0.0f) };
     this->Instances.origin = result.Origin;
     this->Instances.motion = shutter;
     this->Instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(result.Mesh));
@@ -79,30 +79,30 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
   const rtg::TriangleMesh& mesh = *this->Instances.mesh;
   // The scene may still hold the old mesh; the kernels see that only the colors are new.
   auto colored = std::make_shared<rtg::TriangleMesh>(mesh);
-  colored->positionColours.clear();
-  colored->triangleColours.clear();
+  colored->positionColors.clear();
+  colored->triangleColors.clear();
   colored->positionValues.clear();
-  colored->valueColours.clear();
+  colored->valueColors.clear();
   const MappedColors mapped = this->MapColors(true, "point or cell of the surface", messages);
   colored->positionValues = mapped.Values;
-  colored->valueColours = mapped.Table;
+  colored->valueColors = mapped.Table;
   if (mapped.OfCells)
   {
-    colored->triangleColours.resize(mesh.triangles.size());
+    colored->triangleColors.resize(mesh.triangles.size());
     rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.triangles.size()),
       [&](vtkIdType i)
-      { colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i])); });
+      { colored->triangleColors[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i])); });
   }
   else if (mapped.Any || this->HasOwnLooks())
   {
-    colored->positionColours.resize(mesh.positions.size());
+    colored->positionColors.resize(mesh.positions.size());
     rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.positions.size()),
-      [&](vtkIdType i) { colored->positionColours[i] = Pack(this->ColorOf(mapped, i, -1)); });
+      [&](vtkIdType i) { colored->positionColors[i] = Pack(this->ColorOf(mapped, i, -1)); });
   }
 
   this->Translucent = rtg::IsTranslucent(*colored);
-  if (colored->positionColours != mesh.positionColours || colored->triangleColours != mesh.triangleColours ||
-    colored->positionValues != mesh.positionValues || colored->valueColours != mesh.valueColours)
+  if (colored->positionColors != mesh.positionColors || colored->triangleColors != mesh.triangleColors ||
+    colored->positionValues != mesh.positionValues || colored->valueColors != mesh.valueColors)
   {
     this->Instances.mesh = std::move(colored);
     this->ShapeChanged = true;

@@ -62,7 +62,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     return (cells && cells->GetValue(this->OriginalIds[piece])) ||
       (points && (points->GetValue(first) || points->GetValue(last)));
   };
-  rtg::GlyphColours colors;
+  rtg::GlyphColors colors;
   colors.table = mapped.Table;
   const bool ends = directions || !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
   const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));

@@ -196,7 +196,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
   rtglyphs::GlyphSettings settings = this->MakeSettings();
-  const double highScale = this->HighScale.Get(points, settings, this->Common.Blocks.GetHidden());
+  const double scalePercentile = this->ScalePercentile.Get(points, settings, this->Common.Blocks.GetHidden());
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
@@ -210,7 +210,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
     largest = rtglyphs::RayTracedRanks::Largest(largest);
   }
   Values& summary = this->Common.Summary;
-  summary[HIGH_SCALE] = highScale;
+  summary[SCALE_PERCENTILE] = scalePercentile;
   summary[MESH_WIDTH] = sides.x;
   summary[MESH_HEIGHT] = sides.y;
   summary[LARGEST_MAGNITUDE] = largest;
@@ -408,7 +408,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
   rtglyphs::GlyphSettings settings = this->Settings.InRange();
   settings.Motion = this->Common.Time.GetMotion();
   const Values& summary = this->Common.Summary;
-  settings.HighScale = summary[HIGH_SCALE];
+  settings.ScalePercentile = summary[SCALE_PERCENTILE];
   settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
   settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? rtglyphs::GlyphSettings::COMPONENTS
                                                                                 : rtglyphs::GlyphSettings::MAGNITUDE;

@@ -7,7 +7,7 @@
 #ifndef GlyphContent_h
 #define GlyphContent_h
 
-#include "GlyphHighScale.h"
+#include "GlyphScalePercentile.h"
 #include "GlyphLayers.h"
 #include "GlyphMeshes.h"
 #include "GlyphReduction.h"
@@ -106,7 +106,7 @@ private:
   vtkNew<vtkGlyphLegend> Legend;
   bool ScaleFactorFromData = false;
   GlyphKeptGuess Guess;
-  GlyphHighScale HighScale;
+  GlyphScalePercentile ScalePercentile;
   GlyphTensorRange NumberRange; // of the data
   GlyphTensorRange ShownRange;  // of what is delivered to be rendered
   GlyphMeshes Meshes;

@@ -47,7 +47,7 @@ rtg::Section rtglyphs::RayTracedSection::Make(bool blurs, std::string& problem) 
   section.faces = faces == Faces::ColoredCaps ? rtg::Section::Faces::Caps : static_cast<rtg::Section::Faces>(faces);
   if (faces == Faces::ColoredCaps)
   {
-    section.capColour = glm::vec3(Vector(this->CapColor));
+    section.capColor = glm::vec3(Vector(this->CapColor));
   }
   if (this->Kind == Kinds::Plane)
   {

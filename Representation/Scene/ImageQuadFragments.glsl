@@ -6,9 +6,9 @@
 //VTK::Output::Dec
 //VTK::DepthPeeling::Dec
 
-uniform sampler2D imageColour; // straight, not premultiplied
-uniform sampler2D imageDepth;  // window depth in [0, 1], of the camera that it was traced with
-uniform vec2 depthMap;         // scale and offset, to window depth of the present camera
+uniform sampler2D imageColor; // straight, not premultiplied
+uniform sampler2D imageDepth; // window depth in [0, 1], of the camera that it was traced with
+uniform vec2 depthMap;        // scale and offset, to window depth of the present camera
 
 in vec2 texCoord;
 
@@ -40,39 +40,39 @@ vec3 StepAlong(ivec2 direction, ivec2 pixel, vec3 place)
 #ifdef RAYTRACED_COARSE
 // The image has fewer pixels than the viewport: of the four around a place colors are interpolated, and the depth is
 // that of the frontmost.
-void Shown(out vec4 colour, out float depth)
+void Shown(out vec4 color, out float depth)
 {
-  ivec2 size = textureSize(imageColour, 0);
+  ivec2 size = textureSize(imageColor, 0);
   vec2 place = texCoord * vec2(size) - 0.5;
   ivec2 first = ivec2(floor(place));
   vec2 second = place - vec2(first);
-  colour = vec4(0.0);
+  color = vec4(0.0);
   depth = 1.0;
   for (int i = 0; i < 4; ++i)
   {
     ivec2 side = ivec2(i & 1, i >> 1);
     ivec2 pixel = clamp(first + side, ivec2(0), size - 1);
     vec2 weights = mix(1.0 - second, second, vec2(side));
-    vec4 of = texelFetch(imageColour, pixel, 0);
-    colour += weights.x * weights.y * of.a * vec4(of.rgb, 1.0);
+    vec4 of = texelFetch(imageColor, pixel, 0);
+    color += weights.x * weights.y * of.a * vec4(of.rgb, 1.0);
     depth = of.a > 0.0 ? min(depth, texelFetch(imageDepth, pixel, 0).r) : depth;
   }
-  colour.rgb /= max(colour.a, 1e-6);
+  color.rgb /= max(color.a, 1e-6);
 }
 #else
-void Shown(out vec4 colour, out float depth)
+void Shown(out vec4 color, out float depth)
 {
-  colour = texture(imageColour, texCoord);
+  color = texture(imageColor, texCoord);
   depth = texture(imageDepth, texCoord).r;
 }
 #endif
 
 void main()
 {
-  vec4 colour;
+  vec4 color;
   float depth;
-  Shown(colour, depth);
-  if (colour.a <= 0.0)
+  Shown(color, depth);
+  if (color.a <= 0.0)
   {
     discard;
   }
@@ -86,6 +86,6 @@ void main()
 #endif
   //VTK::Light::Impl
   //VTK::DepthPeeling::PreColor
-  gl_FragData[0] = colour;
+  gl_FragData[0] = color;
   //VTK::DepthPeeling::Impl
 }

@@ -3,7 +3,7 @@
 //  seen.
 //VTK::Output::Dec
 
-uniform sampler2D imageColour;
+uniform sampler2D imageColor;
 uniform sampler2D imageDepth;
 uniform vec2 depthMap; // as of ImageQuadFragments
 uniform sampler2D pixels;
@@ -13,14 +13,14 @@ in vec2 texCoord;
 void main()
 {
   // FXAA mixes a pixel with its neighbors: background beside a smooth edge is kept, too.
-  ivec2 size = textureSize(imageColour, 0);
+  ivec2 size = textureSize(imageColor, 0);
   ivec2 pixel = ivec2(texCoord * vec2(size));
   float seen = 0.0;
   for (int y = -1; y <= 1; ++y)
   {
     for (int x = -1; x <= 1; ++x)
     {
-      seen = max(seen, texelFetch(imageColour, clamp(pixel + ivec2(x, y), ivec2(0), size - 1), 0).a);
+      seen = max(seen, texelFetch(imageColor, clamp(pixel + ivec2(x, y), ivec2(0), size - 1), 0).a);
     }
   }
   if (seen <= 0.0)

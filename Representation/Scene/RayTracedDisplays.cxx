@@ -230,7 +230,7 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
     }
     if (display.SentColors != mapper->GetColorVersion())
     {
-      scene.SetColours(display.Set, mapper->GetColors());
+      scene.SetColors(display.Set, mapper->GetColors());
       display.SentColors = mapper->GetColorVersion();
     }
     if (display.SentMaterial != display.MaterialVersion)

@@ -153,7 +153,7 @@ void rtglyphs::RayTracedEdges::FindBehind(const rtg::Image* image, std::size_t p
   std::vector<unsigned char> edges((pixels + 7) / 8, 0);
   for (std::size_t i = 0; i < ownPixels; ++i)
   {
-    edges[i / 8] |= static_cast<unsigned char>(IsEdge(image->colour[i]) << (i % 8));
+    edges[i / 8] |= static_cast<unsigned char>(IsEdge(image->color[i]) << (i % 8));
   }
   rtglyphs::RayTracedRanks::Reduce(edges, vtkCommunicator::BITWISE_OR_OP);
 
@@ -163,9 +163,9 @@ void rtglyphs::RayTracedEdges::FindBehind(const rtg::Image* image, std::size_t p
   {
     for (std::size_t i = BeginOf(to, ranks, pixels); i < BeginOf(to + 1, ranks, pixels); ++i)
     {
-      if (((edges[i / 8] >> (i % 8)) & 1) && AlphaOf(image->colour[i]) > 0)
+      if (((edges[i / 8] >> (i % 8)) & 1) && AlphaOf(image->color[i]) > 0)
       {
-        Append(fragments[to], Fragment{ static_cast<std::uint32_t>(i), image->colour[i], image->depth[i], own });
+        Append(fragments[to], Fragment{ static_cast<std::uint32_t>(i), image->color[i], image->depth[i], own });
       }
     }
   }

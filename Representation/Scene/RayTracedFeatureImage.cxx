@@ -63,7 +63,7 @@ std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
     {
       image = other->glyphIds[i] != rtg::Image::noGlyph && other->depth[i] < image->depth[i] ? other : image;
     }
-    const std::uint32_t color = image->colour[i];
+    const std::uint32_t color = image->color[i];
     colors->SetTuple4(i, color & 255, (color >> 8) & 255, (color >> 16) & 255, color >> 24);
     windowDepths->SetValue(i, image->depth[i]);
     viewDepths->SetValue(

@@ -50,7 +50,7 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
     }
     return nullptr;
   }
-  view.content = this->Own.Content;
+  view.sceneVersion = this->Own.Content;
   const rtg::ImageEffort effort = rtglyphs::RayTracedImageRequest::EffortOf(settings, this->Own);
   // Ranks that all have everything trace a part each, and compositing joins these.
   if (this->Own.Collective && settings.IsReplicated() && !effort.preview && !effort.features &&

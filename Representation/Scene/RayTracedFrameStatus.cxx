@@ -137,7 +137,7 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
     { "structureBuilds", s.structureBuilds },
     { "topLevelBuilds", s.topLevelBuilds },
     { "instanceUploads", s.instanceUploads },
-    { "colorUploads", s.colourUploads },
+    { "colorUploads", s.colorUploads },
     { "pipelineBuilds", s.pipelineBuilds },
     { "programsAhead", s.programsAhead },
     { "dispatches", s.dispatches },

@@ -150,7 +150,7 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
 
   this->Color->Activate();
   this->Depth->Activate();
-  quad->Program->SetUniformi("imageColour", this->Color->GetTextureUnit());
+  quad->Program->SetUniformi("imageColor", this->Color->GetTextureUnit());
   quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
   quad->Program->SetUniform2f("depthMap", this->DepthMap);
   if (surface)
@@ -218,7 +218,7 @@ void rtglyphs::RayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObj
   this->Color->Activate();
   this->Depth->Activate();
   pixels->Activate();
-  quad->Program->SetUniformi("imageColour", this->Color->GetTextureUnit());
+  quad->Program->SetUniformi("imageColor", this->Color->GetTextureUnit());
   quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
   quad->Program->SetUniform2f("depthMap", this->DepthMap);
   quad->Program->SetUniformi("pixels", pixels->GetTextureUnit());

@@ -113,7 +113,7 @@ rtg::ScreenEffects rtglyphs::RayTracedImageRequest::EffectsOf(
   rtg::ScreenEffects effects;
   const double scale = view.settings.width > 0 ? double(image.width) / view.settings.width : 1.0;
   effects.outlineWidth = static_cast<float>(settings.OutlineWidth * scale);
-  effects.outlineColour = glm::vec3(settings.OutlineColor[0], settings.OutlineColor[1], settings.OutlineColor[2]);
+  effects.outlineColor = glm::vec3(settings.OutlineColor[0], settings.OutlineColor[1], settings.OutlineColor[2]);
   effects.depthCue = static_cast<float>(settings.DepthCue);
   // ParaView puts the planes round all that is visible, on all ranks alike.
   effects.nearDepth = view.camera.nearDepth;

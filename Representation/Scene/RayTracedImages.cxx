@@ -211,7 +211,7 @@ void rtglyphs::RayTracedImages::Send(
   entry.Effects = effects;
   if (!effects.Any())
   {
-    entry.Quad.SetImage(window, image.width, image.height, image.colour, image.depth, version);
+    entry.Quad.SetImage(window, image.width, image.height, image.color, image.depth, version);
     return;
   }
   const rtg::GlyphPath path = [this](std::uint32_t set, std::uint32_t glyph)
@@ -228,7 +228,7 @@ void rtglyphs::RayTracedImages::Send(
       motion.Displacement(mover, glyphs.motion.shutterOpen), motion.Displacement(mover, glyphs.motion.shutterClose));
   };
   const rtg::EffectImage shown = rtg::Apply(effects, image, entry.Image.View().camera, path);
-  entry.Quad.SetImage(window, image.width, image.height, shown.colours.data(), shown.depths.data(), version);
+  entry.Quad.SetImage(window, image.width, image.height, shown.colors.data(), shown.depths.data(), version);
 }
 
 //----------------------------------------------------------------------------
@@ -259,7 +259,7 @@ rtglyphs::RayTracedImages::Entry* rtglyphs::RayTracedImages::FindSame(const rtg:
   {
     const rtg::ImageView& other = entry->Image.View();
     if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
-      other.settings.shares == 1 && other.pass == view.pass && other.content == view.content &&
+      other.settings.shares == 1 && other.pass == view.pass && other.sceneVersion == view.sceneVersion &&
       other.camera.IsNear(view.camera) && other.settings.width == view.settings.width &&
       other.settings.height == view.settings.height)
     {

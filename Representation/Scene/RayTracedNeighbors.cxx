@@ -146,7 +146,7 @@ void rtglyphs::RayTracedNeighbors::Commit(
       this->Sent.push_back(id);
       scene.SetSeen(id, false);
       scene.SetInstances(id, set.Instances);
-      scene.SetColours(id, set.Colors);
+      scene.SetColors(id, set.Colors);
     }
     this->SentVersion = this->Version;
   }

@@ -29,7 +29,7 @@ public:
   {
     int Display = 0;
     const rtg::GlyphInstances* Instances = nullptr;
-    const rtg::GlyphColours* Colors = nullptr;
+    const rtg::GlyphColors* Colors = nullptr;
   };
 
   /**
@@ -64,7 +64,7 @@ private:
   {
     int Display = 0;
     rtg::GlyphInstances Instances;
-    rtg::GlyphColours Colors;
+    rtg::GlyphColors Colors;
   };
   void SendNear(const std::vector<Shown>& sets);
   void Receive(const std::vector<char>& bytes);

@@ -107,7 +107,7 @@ std::vector<const rtg::Image*> rtglyphs::RayTracedPicker::ImagesWithIds(const rt
   {
     return found;
   }
-  view.content = displays.GetVersion();
+  view.sceneVersion = displays.GetVersion();
   view.settings.width = static_cast<std::uint32_t>(width);
   view.settings.height = static_cast<std::uint32_t>(height);
   for (int pass = 0; pass < rtglyphs::RayTracedImages::Passes; ++pass)

@@ -47,10 +47,10 @@ void rtglyphs::RayTracedPoints::Draw(
     {
       const rtg::GlyphInstances& glyphs = *shown.Instances;
       const std::vector<std::uint32_t>& each = shown.Colors->each;
-      const std::uint32_t plain = glm::packUnorm4x8(glm::vec4(displays.GetAll()[shown.Display].Material.colour, 1.0f));
+      const std::uint32_t plain = glm::packUnorm4x8(glm::vec4(displays.GetAll()[shown.Display].Material.color, 1.0f));
       const bool surface = glyphs.identifyTriangles && glyphs.mesh && glyphs.Count() == 1;
-      const std::vector<glm::vec3>& places = surface ? glyphs.mesh->positions : glyphs.centres;
-      const glm::dvec3 from = glyphs.origin + (surface ? glm::dvec3(glyphs.centres[0]) : glm::dvec3(0.0));
+      const std::vector<glm::vec3>& places = surface ? glyphs.mesh->positions : glyphs.centers;
+      const glm::dvec3 from = glyphs.origin + (surface ? glm::dvec3(glyphs.centers[0]) : glm::dvec3(0.0));
       for (std::size_t i = 0; i < places.size(); i += 1 + places.size() / mostPoints)
       {
         const glm::dvec3 place = from + glm::dvec3(places[i]);

@@ -130,7 +130,7 @@ rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, double softnes
       continue;
     }
     rtg::Light converted;
-    converted.colour = glm::vec3(glm::make_vec3(light->GetDiffuseColor())) * static_cast<float>(light->GetIntensity());
+    converted.color = glm::vec3(glm::make_vec3(light->GetDiffuseColor())) * static_cast<float>(light->GetIntensity());
     const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
     const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
     converted.position = position;
@@ -177,8 +177,8 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
 {
   vtkTexture* texture = renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
   vtkImageData* input = texture && !texture->GetCubeMap() ? texture->GetInput() : nullptr;
-  vtkDataArray* colours = input ? input->GetPointData()->GetScalars() : nullptr;
-  if (!colours || input->GetDimensions()[2] != 1)
+  vtkDataArray* colors = input ? input->GetPointData()->GetScalars() : nullptr;
+  if (!colors || input->GetDimensions()[2] != 1)
   {
     return Environment();
   }
@@ -203,8 +203,8 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
   image->width = static_cast<std::uint32_t>((columns + side - 1) / side);
   image->height = static_cast<std::uint32_t>((rows + side - 1) / side);
   image->radiance.assign(std::size_t(image->width) * image->height, glm::vec3(0.0f));
-  const int components = colours->GetNumberOfComponents();
-  const bool display = colours->GetDataType() == VTK_UNSIGNED_CHAR;
+  const int components = colors->GetNumberOfComponents();
+  const bool display = colors->GetDataType() == VTK_UNSIGNED_CHAR;
   for (vtkIdType y = 0; y < rows; ++y)
   {
     const vtkIdType blockRows = std::min(side, rows - y / side * side);
@@ -214,7 +214,7 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
       for (int c = 0; c < 3; ++c)
       {
         // One component, or one and alpha: gray.
-        const double value = colours->GetComponent(y * columns + x, components >= 3 ? c : 0);
+        const double value = colors->GetComponent(y * columns + x, components >= 3 ? c : 0);
         radiance[c] = static_cast<float>(display ? value / 255.0 : value);
       }
       radiance = display ? rtg::shading::DisplayToLinear(radiance) : radiance;
@@ -234,9 +234,9 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
 rtg::Material rtglyphs::RayTracedRendererState::MaterialOf(vtkProperty* property, vtkRenderer* renderer)
 {
   rtg::Material material;
-  material.colour = glm::vec3(glm::make_vec3(property->GetDiffuseColor()));
-  material.ambientColour = glm::vec3(glm::make_vec3(property->GetAmbientColor()));
-  material.specularColour = glm::vec3(glm::make_vec3(property->GetSpecularColor()));
+  material.color = glm::vec3(glm::make_vec3(property->GetDiffuseColor()));
+  material.ambientColor = glm::vec3(glm::make_vec3(property->GetAmbientColor()));
+  material.specularColor = glm::vec3(glm::make_vec3(property->GetSpecularColor()));
   material.ambient = static_cast<float>(property->GetAmbient());
   material.diffuse = static_cast<float>(property->GetDiffuse());
   material.specular = static_cast<float>(property->GetSpecular());
@@ -247,7 +247,7 @@ rtg::Material rtglyphs::RayTracedRendererState::MaterialOf(vtkProperty* property
   material.coatStrength = static_cast<float>(property->GetCoatStrength());
   material.coatRoughness = static_cast<float>(property->GetCoatRoughness());
   material.coatIor = static_cast<float>(property->GetCoatIOR());
-  material.coatColour = glm::vec3(glm::make_vec3(property->GetCoatColor()));
+  material.coatColor = glm::vec3(glm::make_vec3(property->GetCoatColor()));
   material.lighting = property->GetLighting() && (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
   return material;
 }

@@ -50,8 +50,8 @@ void rtglyphs::RayTracedStudioLight::Apply(rtg::ImageView& view, vtkRenderer* re
     rtg::Light key;
     key.kind = rtg::Light::Kind::Directional;
     key.direction = -toKey;
-    key.colour =
-      rtg::shading::DisplayToLinear(settings.environmentColour) * (settings.lightIntensity * keyFraction / largest);
+    key.color =
+      rtg::shading::DisplayToLinear(settings.environmentColor) * (settings.lightIntensity * keyFraction / largest);
     key.angularRadius = keyRadius;
     view.lights.push_back(key);
   }

@@ -526,7 +526,7 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::ForEachShown(
-  const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColours&, const rtg::Material&)>& visit)
+  const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColors&, const rtg::Material&)>& visit)
 {
   std::vector<rtg::GlyphInstances> built;
   const rtglyphs::RayTracedDisplays& displays = this->Self->Displays;

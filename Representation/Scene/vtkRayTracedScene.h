@@ -119,7 +119,7 @@ public:
    * Visits the representations of the last frame, for exporters.
    */
   void ForEachShown(
-    const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColours&, const rtg::Material&)>& visit);
+    const std::function<void(const rtg::GlyphInstances&, const rtg::GlyphColors&, const rtg::Material&)>& visit);
 
   /**
    * Warns, once after each frame, that exporters leave ray-traced displays out.

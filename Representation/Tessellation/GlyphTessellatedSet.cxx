@@ -35,7 +35,7 @@ std::string NameOf(rtg::Shape shape)
 }
 
 // The mean of the colors at a tube's ends.
-glm::vec4 MeanOfEnds(const rtg::GlyphColours& colors, std::size_t glyph)
+glm::vec4 MeanOfEnds(const rtg::GlyphColors& colors, std::size_t glyph)
 {
   const auto at = [&colors](std::uint32_t bits)
   {
@@ -175,7 +175,7 @@ public:
       const bool flat[] = { !this->All.before.empty() && this->All.before[glyph].w < 0.0f,
         !this->All.after.empty() && this->All.after[glyph].w < 0.0f };
       const double radii[] = { 0.5 * size.y, 0.5 * size.z }, half = 0.5 * size.x;
-      const bool back = radii[1] > radii[0]; // the mesh becomes thinner towards +x
+      const bool back = radii[1] > radii[0]; // the mesh becomes thinner toward +x
       const double larger = radii[back ? 1 : 0], smaller = radii[back ? 0 : 1];
       const double sine = (larger - smaller) / size.x, cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
       if (sine < 1.0)
@@ -245,10 +245,10 @@ private:
   // Of a place in the glyph's frame.
   glm::dvec3 PlaceOf(std::size_t glyph, const glm::vec3& place) const
   {
-    glm::dvec3 center(this->All.centres[glyph]);
-    if (!this->All.centresLow.empty())
+    glm::dvec3 center(this->All.centers[glyph]);
+    if (!this->All.centersLow.empty())
     {
-      center += glm::dvec3(this->All.centresLow[glyph]);
+      center += glm::dvec3(this->All.centersLow[glyph]);
     }
     return center + this->TurnOf(glyph) * glm::dvec3(place);
   }
@@ -273,14 +273,14 @@ const glm::vec4& rtglyphs::GlyphTessellatedSet::ColorOf(std::uint32_t glyph) con
 
 //----------------------------------------------------------------------------
 rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::string& number,
-  const rtg::GlyphInstances& instances, const rtg::GlyphColours& colors, const rtg::Material& material,
+  const rtg::GlyphInstances& instances, const rtg::GlyphColors& colors, const rtg::Material& material,
   std::vector<std::string>& messages)
 {
   rtglyphs::GlyphTessellatedSet set;
   set.Origin = instances.origin;
   set.Metallic = material.metallic;
   set.Roughness = material.roughness;
-  set.Color = Linear(material.colour, material.opacity);
+  set.Color = Linear(material.color, material.opacity);
   const bool bySign = !instances.forms.empty();
   const bool ofEnds = instances.shape == rtg::Shape::RoundCone && !colors.ends.empty();
   bool bothSigns = false;
@@ -296,13 +296,13 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
         const auto [least, most] = std::minmax({ form.x, form.y, form.z });
         const bool negative = least < 0.0f && most <= 0.0f;
         bothSigns = bothSigns || (least < 0.0f && most > 0.0f);
-        color = Linear(negative ? material.negativeColour : material.positiveColour, material.opacity);
+        color = Linear(negative ? material.negativeColor : material.positiveColor, material.opacity);
       }
       const glm::vec4 ofSurface = color;
       if (!colors.each.empty() || ofEnds)
       {
         const glm::vec4 shown = ofEnds ? MeanOfEnds(colors, glyph) : glm::unpackUnorm4x8(colors.each[glyph]);
-        // White stands for the colors of the surface (rtg::GlyphColours).
+        // White stands for the colors of the surface (rtg::GlyphColors).
         color = bySign && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
         color.a *= shown.a;
       }

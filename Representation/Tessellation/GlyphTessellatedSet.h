@@ -47,7 +47,7 @@ struct GlyphTessellatedSet
    * change over a glyph: `messages` then says what and the remedy.
    */
   static GlyphTessellatedSet Make(const std::string& number, const rtg::GlyphInstances& instances,
-    const rtg::GlyphColours& colors, const rtg::Material& material, std::vector<std::string>& messages);
+    const rtg::GlyphColors& colors, const rtg::Material& material, std::vector<std::string>& messages);
 
   static constexpr std::size_t MostMeshes = 1000;
 };

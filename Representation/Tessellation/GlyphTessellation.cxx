@@ -266,7 +266,7 @@ rtg::TriangleMesh rtglyphs::GlyphTessellation::Superquadric(const glm::vec3& exp
 
 //----------------------------------------------------------------------------
 // x = cos(th)^alpha sin(ph)^beta, y = sin(th)^alpha sin(ph)^c of the height z = cos(ph)^beta: Schultz and Kindlmann
-// 2010. Its normal is across two tangents, which are taken from the neighborhood, towards the middle of each face.
+// 2010. Its normal is across two tangents, which are taken from the neighborhood, toward the middle of each face.
 rtg::TriangleMesh rtglyphs::GlyphTessellation::NestedSuperquadric(const glm::vec3& exponents, int facets)
 {
   const double alpha = exponents.x, beta = exponents.y, c = exponents.z;

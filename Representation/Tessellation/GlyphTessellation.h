@@ -19,13 +19,13 @@ rtg::TriangleMesh Cylinder();
 rtg::TriangleMesh Cone();
 ///@}
 
-/// Half a ball of diameter 1 around the origin, its disc, which is left open, at x = 0, towards +x.
+/// Half a ball of diameter 1 around the origin, its disc, which is left open, at x = 0, toward +x.
 rtg::TriangleMesh HalfBall();
 
 /// A cone around the x axis of radius 1 at 0 and `ratio` at 1, of ratio 1 a cylinder; `open`: without its discs.
 rtg::TriangleMesh CutCone(double ratio, bool open);
 
-/// The head of a unit arrow, with its tip at the origin, towards +x.
+/// The head of a unit arrow, with its tip at the origin, toward +x.
 rtg::TriangleMesh ArrowHead(const rtg::ArrowForm& form);
 
 ///@{

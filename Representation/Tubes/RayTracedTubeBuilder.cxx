@@ -328,7 +328,7 @@ private:
     const std::size_t count = this->Pieces.size();
     const bool swept = !this->Ellipsoids.empty();
     all.shape = swept ? rtg::Shape::SweptEllipsoid : rtg::Shape::RoundCone;
-    all.centres.resize(count);
+    all.centers.resize(count);
     all.sizes3.resize(count);
     all.rotations.resize(count);
     const bool ends = swept || this->How.FlatEnds || this->How.Joined;
@@ -360,13 +360,13 @@ private:
     const Piece& piece = this->Pieces[i];
     rtg::GlyphInstances& all = this->Out.Instances;
     const glm::dvec3 first = this->Places[piece.Ends[0]], last = this->Places[piece.Ends[1]];
-    const glm::dvec3 centre = 0.5 * (first + last), way = last - first;
+    const glm::dvec3 center = 0.5 * (first + last), way = last - first;
     const double length = glm::length(way);
     const glm::dvec3 axis = way / length;
     // The shortest rotation from x to the axis.
     glm::dquat turn(1.0 + axis.x, 0.0, -axis.z, axis.y);
     turn = axis.x > -1.0 + 1e-12 ? glm::normalize(turn) : glm::dquat(0.0, 0.0, 1.0, 0.0);
-    all.centres[i] = glm::vec3(centre);
+    all.centers[i] = glm::vec3(center);
     all.sizes3[i] =
       glm::vec3(length, 2.0 * this->Radius(piece.Ends[0], piece.Cell), 2.0 * this->Radius(piece.Ends[1], piece.Cell));
     all.rotations[i] = glm::vec4(turn.x, turn.y, turn.z, turn.w);
@@ -380,7 +380,7 @@ private:
         {
           return glm::vec4(0.0f, 0.0f, 0.0f, this->How.FlatEnds ? -1.0f : 0.0f);
         }
-        return this->How.Joined ? glm::vec4(glm::vec3(back * (this->Places[beyond] - centre)), float(radius))
+        return this->How.Joined ? glm::vec4(glm::vec3(back * (this->Places[beyond] - center)), float(radius))
                                 : glm::vec4(0.0f);
       };
       all.before[i] = joint(piece.Beyond[0]);
@@ -452,11 +452,11 @@ private:
     {
       return;
     }
-    all.centresLow.resize(all.centres.size());
-    for (std::size_t i = 0; i < all.centres.size(); ++i)
+    all.centersLow.resize(all.centers.size());
+    for (std::size_t i = 0; i < all.centers.size(); ++i)
     {
       const auto [first, last] = this->Pieces[i].Ends;
-      all.centresLow[i] = glm::vec3(0.5 * (this->Places[first] + this->Places[last]) - glm::dvec3(all.centres[i]));
+      all.centersLow[i] = glm::vec3(0.5 * (this->Places[first] + this->Places[last]) - glm::dvec3(all.centers[i]));
     }
   }
 

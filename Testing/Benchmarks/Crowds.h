@@ -38,10 +38,10 @@ inline rtg::GlyphInstances MakeInstances(const Crowd& crowd, std::size_t count)
   instances.shape = crowd.shape;
   instances.uniformSize = 0.8f * crowdSide / std::cbrt(float(count));
   instances.arrow.unitLength = instances.uniformSize;
-  instances.centres.reserve(count);
+  instances.centers.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    instances.centres.push_back(crowdSide * (vector() - 0.5f));
+    instances.centers.push_back(crowdSide * (vector() - 0.5f));
     if (crowd.turned)
     {
       instances.sizes3.push_back(instances.uniformSize * (0.5f + 0.5f * vector()));

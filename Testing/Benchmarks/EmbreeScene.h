@@ -94,9 +94,9 @@ private:
     RTCGeometry geometry = rtcNewGeometry(this->device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
     auto* spheres = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4), instances.Count()));
-    for (const glm::vec3& centre : instances.centres)
+    for (const glm::vec3& center : instances.centers)
     {
-      *spheres++ = glm::vec4(centre, 0.5f * instances.uniformSize);
+      *spheres++ = glm::vec4(center, 0.5f * instances.uniformSize);
     }
     return geometry;
   }
@@ -137,7 +137,7 @@ private:
       float columns[12];
       for (int axis = 0; axis < 4; ++axis)
       {
-        glm::vec3 column = glyph.centre;
+        glm::vec3 column = glyph.center;
         if (axis < 3)
         {
           column = glm::vec3(0.0f);
@@ -159,7 +159,7 @@ private:
   static Shapes::Glyph Glyph(const rtg::GlyphInstances& instances, std::size_t i)
   {
     Shapes::Glyph glyph{};
-    glyph.centre = instances.centres[i];
+    glyph.center = instances.centers[i];
     glyph.size = instances.sizes3.empty() ? glm::vec3(instances.uniformSize) : instances.sizes3[i];
     glyph.sameSize = instances.sizes3.empty();
     glyph.turned = !instances.rotations.empty();

@@ -66,7 +66,7 @@ inline std::vector<float> ReadArray(std::istream& in, const std::string& name, s
 
 struct Spheres
 {
-  std::vector<glm::vec3> centres;
+  std::vector<glm::vec3> centers;
   float radius = 0.0f;
 };
 
@@ -75,9 +75,9 @@ inline Spheres ReadSpheres(const std::string& path)
 {
   Spheres spheres;
   std::ifstream in(path, std::ios::binary);
-  spheres.centres = ReadPoints(in);
+  spheres.centers = ReadPoints(in);
   const std::vector<float> radii = ReadArray(in, "radius", 1);
-  if (!in || spheres.centres.empty())
+  if (!in || spheres.centers.empty())
   {
     throw std::runtime_error(path + " is no file by spheres_280k.py");
   }

@@ -26,18 +26,18 @@ struct LightScene
   float radius = 0.0f; ///< of ambient occlusion, world units; 0: unbounded
 };
 
-inline rtg::Material Painted(glm::vec3 colour)
+inline rtg::Material Painted(glm::vec3 color)
 {
   rtg::Material material;
-  material.colour = material.ambientColour = colour;
+  material.color = material.ambientColor = color;
   return material;
 }
 
-inline void Show(LightScene& subject, rtg::GlyphInstances instances, glm::vec3 colour)
+inline void Show(LightScene& subject, rtg::GlyphInstances instances, glm::vec3 color)
 {
   const auto set = subject.scene.Add();
   subject.scene.SetInstances(set, std::move(instances));
-  subject.scene.SetMaterial(set, Painted(colour));
+  subject.scene.SetMaterial(set, Painted(color));
 }
 
 /// The file of Data/spheres_280k.py.
@@ -47,9 +47,9 @@ inline void AddSpheres(LightScene& subject, const std::string& path)
   rtg::GlyphInstances instances;
   instances.origin = glm::dvec3(50.0);
   instances.uniformSize = 2.0f * spheres.radius;
-  for (const glm::vec3& centre : spheres.centres)
+  for (const glm::vec3& center : spheres.centers)
   {
-    instances.centres.push_back(centre - glm::vec3(50.0f));
+    instances.centers.push_back(center - glm::vec3(50.0f));
   }
   Show(subject, std::move(instances), { 0.85f, 0.8f, 0.7f });
   subject.camera = SpheresCamera();
@@ -93,7 +93,7 @@ inline void AddArrowsInVessel(LightScene& subject, const std::string& path)
     // The shortest turn of x to the velocity.
     const glm::vec3 d = velocities[i] / speed;
     const glm::vec4 turn = d.x > -0.9999f ? glm::vec4(0.0f, -d.z, d.y, 1.0f + d.x) : glm::vec4(0, 0, 1, 0);
-    instances.centres.push_back(points[i] - glm::vec3(instances.origin));
+    instances.centers.push_back(points[i] - glm::vec3(instances.origin));
     instances.sizes3.push_back(glm::vec3(0.3f * speed));
     instances.rotations.push_back(glm::normalize(turn));
   }
@@ -106,7 +106,7 @@ inline void AddArrowsInVessel(LightScene& subject, const std::string& path)
     Vessel(glm::vec3(-0.7f, 2.0f, -0.5f) - origin, glm::vec3(29.3f, 29.0f, 13.0f) - origin));
   walls.identifyTriangles = true;
   walls.origin = glm::dvec3(origin);
-  walls.centres = { glm::vec3(0.0f) };
+  walls.centers = { glm::vec3(0.0f) };
   Show(subject, std::move(walls), { 0.85f, 0.83f, 0.8f });
   subject.camera = LookAt({ 10.0, -26.0, 24.0 }, { 14.3, 14.0, 5.5 }, { 0.0, 0.0, 1.0 }, 30.0, 5.0, 100.0);
   subject.side = 400;
@@ -144,7 +144,7 @@ inline void AddTensors(LightScene& subject, const std::string& path)
     const rtg::TensorGlyph glyph =
       rtg::MakeTensorGlyph(rtg::Decompose(tensor), rtg::TensorGlyphKind::Superquadric, 3.0);
     const glm::dvec3 at(i % side, i / side % side, i / side / side);
-    instances.centres.emplace_back(at * spacing - 1.0);
+    instances.centers.emplace_back(at * spacing - 1.0);
     // The largest eigenvalue is 1.7, and the longest glyph is to be 1.3 spacings long.
     instances.sizes3.emplace_back(glyph.halfLengths * (1.3 * spacing / 1.7));
     instances.rotations.emplace_back(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z, glyph.rotation.w);

@@ -35,7 +35,7 @@ Subject Load(const std::string& path)
   subject.spheres = benchmark::ReadSpheres(path);
   std::ifstream in(path, std::ios::binary);
   benchmark::ReadPoints(in);
-  subject.velocities = benchmark::ToVectors(benchmark::ReadArray(in, "velocity", 3 * subject.spheres.centres.size()));
+  subject.velocities = benchmark::ToVectors(benchmark::ReadArray(in, "velocity", 3 * subject.spheres.centers.size()));
   for (glm::vec3& velocity : subject.velocities)
   {
     velocity = glm::normalize(velocity);
@@ -50,9 +50,9 @@ rtg::GlyphInstances Instances(const Subject& subject, double path, bool moving)
   rtg::GlyphInstances instances;
   instances.origin = glm::dvec3(50.0);
   instances.uniformSize = 2.0f * subject.spheres.radius;
-  for (std::size_t i = 0; i < subject.spheres.centres.size(); ++i)
+  for (std::size_t i = 0; i < subject.spheres.centers.size(); ++i)
   {
-    instances.centres.push_back(subject.spheres.centres[i] - glm::vec3(50.0f));
+    instances.centers.push_back(subject.spheres.centers[i] - glm::vec3(50.0f));
     if (moving)
     {
       instances.motion.velocities.push_back(length * subject.velocities[i]);
@@ -68,7 +68,7 @@ struct Scene
     , set(scene.Add())
   {
     rtg::Material material;
-    material.colour = material.ambientColour = glm::vec3(0.85f, 0.8f, 0.7f);
+    material.color = material.ambientColor = glm::vec3(0.85f, 0.8f, 0.7f);
     this->scene.SetMaterial(this->set, material);
   }
   // Processor seconds to have them ready.

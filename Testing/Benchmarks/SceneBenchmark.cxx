@@ -43,7 +43,7 @@ rtg::GlyphInstances Surface(rtg::TriangleMesh mesh)
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(mesh));
   instances.identifyTriangles = true;
-  instances.centres.emplace_back(0.0f);
+  instances.centers.emplace_back(0.0f);
   return instances;
 }
 
@@ -81,7 +81,7 @@ void AddLine(rtg::GlyphInstances& instances, const std::vector<glm::vec3>& place
     const glm::vec3 way = places[k + 1] - places[k], middle = 0.5f * (places[k] + places[k + 1]);
     const glm::vec3 axis = glm::normalize(way);
     const glm::quat turn = glm::normalize(glm::quat(1.0f + axis.x, 0.0f, -axis.z, axis.y));
-    instances.centres.push_back(middle);
+    instances.centers.push_back(middle);
     instances.sizes3.emplace_back(glm::length(way), diameter(k), diameter(k + 1));
     instances.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
     const auto end = [&](int beyond)
@@ -103,7 +103,7 @@ rtg::GlyphInstances Tubes()
 {
   const rtg::GlyphInstances starts = benchmark::MakeInstances({ "", rtg::Shape::Sphere, true }, curves);
   rtg::GlyphInstances instances;
-  for (const glm::vec3& start : starts.centres)
+  for (const glm::vec3& start : starts.centers)
   {
     std::vector<glm::vec3> places;
     for (int k = 0; k <= int(pieces); ++k)
@@ -174,7 +174,7 @@ rtg::GlyphInstances Trails(const rtg::GlyphInstances& balls, bool fading)
     return glm::vec3(x, y, normal(random));
   };
   rtg::GlyphInstances trails;
-  for (const glm::vec3& ball : balls.centres)
+  for (const glm::vec3& ball : balls.centers)
   {
     std::vector<glm::vec3> places{ ball };
     glm::vec3 direction = glm::normalize(vector());
@@ -196,7 +196,7 @@ rtg::GlyphInstances Trails(const rtg::GlyphInstances& balls, bool fading)
 /// The same with one more a million sizes away, which no picture shows.
 rtg::GlyphInstances WithOutlier(rtg::GlyphInstances instances)
 {
-  instances.centres.emplace_back(1e6f * instances.uniformSize, 0.0f, 0.0f);
+  instances.centers.emplace_back(1e6f * instances.uniformSize, 0.0f, 0.0f);
   return instances;
 }
 

@@ -335,7 +335,7 @@ std::vector<Verdict> JudgeFormula(ReferenceCase& reference, SphereFormula formul
   for (std::size_t i = 0; i < hard.rays.size(); ++i)
   {
     const HardRay& ray = hard.rays[i];
-    const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centres[ray.glyph]));
+    const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centers[ray.glyph]));
     Answer answer;
     float t = 0.0f;
     answer.hit = formula(o, ray.direction, 0.5f * hard.instances.sizes1[ray.glyph], t);
@@ -355,7 +355,7 @@ std::size_t AddCall(benchmark::Turns& turns, const HardCase& hard, SphereFormula
       for (const HardRay& ray : hard.rays)
       {
         float t = 0.0f;
-        const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centres[ray.glyph]));
+        const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centers[ray.glyph]));
         sum += formula(o, ray.direction, 0.5f * hard.instances.sizes1[ray.glyph], t) ? t : 0.0f;
       }
       const volatile float sink = sum;

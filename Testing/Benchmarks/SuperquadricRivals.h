@@ -400,7 +400,7 @@ struct Rivals
   static Hit Damped(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
   {
     const Vector halfSize = Real(0.5) * glyph.size;
-    const Vector o = K::RotateToLocal(glyph, ray.origin - glyph.centre) / halfSize;
+    const Vector o = K::RotateToLocal(glyph, ray.origin - glyph.center) / halfSize;
     const Vector worldD = K::RotateToLocal(glyph, ray.direction);
     const Vector d = worldD / halfSize;
     Real in = tMin, out = Real(1e30);

@@ -104,7 +104,7 @@ rtg::GlyphInstances MakeInstances(const Kind& kind, bool packed, int count)
   for (int i = 0; i < count; ++i)
   {
     const float x = random.Place(), y = random.Place();
-    instances.centres.emplace_back(x, y, random.Place());
+    instances.centers.emplace_back(x, y, random.Place());
     if (kind.tensors >= 0)
     {
       AddTensor(instances, static_cast<rtg::TensorGlyphKind>(kind.tensors), random);

@@ -92,7 +92,7 @@ def tessellations(name):
             return [row["what"], "-", "-", "-", timing(row, "wall s", 3), timing(row, "CPU s", 3)]
         triangles = 2 * int(facets[-1][0]) * int(facets[-1][1]) if facets else 2 * (int(vertices.group(1)) - 2)
         return [row["what"], str(triangles), digits(row["silhouette %"], 2) + " %",
-                "%s / %.0f" % (digits(row["colour mean"], 2), row["colour 99 %"]), timing(row, "wall s", 3), timing(row, "CPU s", 3)]
+                "%s / %.0f" % (digits(row["color mean"], 2), row["color 99 %"]), timing(row, "wall s", 3), timing(row, "CPU s", 3)]
     return markdown(["", "triangles a glyph", "silhouette", "color mean / 99 %", "wall s", "CPU s"], map(line, rows(name)))
 
 

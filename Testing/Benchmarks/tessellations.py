@@ -99,7 +99,7 @@ def errors(image, exact):
     mask, exact_mask = comparison.covered(image), comparison.covered(exact)
     apart = numpy.abs(image - exact).max(axis=2)[mask & exact_mask]
     return {"silhouette %": round(100.0 * (mask != exact_mask).sum() / exact_mask.sum(), 4),
-            "colour mean": round(float(apart.mean()), 3), "colour 99 %": float(numpy.percentile(apart, 99))}
+            "color mean": round(float(apart.mean()), 3), "color 99 %": float(numpy.percentile(apart, 99))}
 
 
 def main():

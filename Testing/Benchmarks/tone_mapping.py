@@ -48,7 +48,7 @@ def neutral(light):
 
 
 def khronos(light):
-    """With an offset for a dielectric's reflection, and bright colors turned towards white."""
+    """With an offset for a dielectric's reflection, and bright colors turned toward white."""
     least = light.min(axis=-1, keepdims=True)
     light = light - numpy.where(least < 0.08, least - 6.25 * least * least, 0.04)
     peak, shown = compressed(light, 0.76)

@@ -111,14 +111,14 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
     for (int i = 0; i < rays; ++i)
     {
       Kernel::Glyph glyph{};
-      glyph.centre = 10.0f * glm::vec3(unit(random), unit(random), unit(random));
+      glyph.center = 10.0f * glm::vec3(unit(random), unit(random), unit(random));
       glyph.size = 0.6f + 0.4f * glm::vec3(unit(random), unit(random), unit(random));
       glyph.rotation = glm::normalize(glm::vec4(unit(random), unit(random), unit(random), unit(random)));
       glyph.turned = true;
       glyph.arrow = glm::vec4(0.03f, 0.1f, 0.35f, 0.3f);
       Kernel::GlyphRay ray{};
       ray.origin = glm::vec3(0.0f, 0.0f, 50.0f);
-      const glm::vec3 target = glyph.centre + 0.8f * glm::vec3(unit(random), unit(random), unit(random));
+      const glm::vec3 target = glyph.center + 0.8f * glm::vec3(unit(random), unit(random), unit(random));
       ray.direction = target - ray.origin;
       float t = 0, low = 0, high = 0;
       const bool hit = Kernel::IntersectGlyph(shape, ray, glyph, 0.0f, 1e30f, t);

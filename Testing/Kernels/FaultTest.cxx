@@ -56,7 +56,7 @@ enum class Content
 struct Glyphs
 {
   rtg::GlyphInstances instances;
-  std::vector<std::uint32_t> colours;
+  std::vector<std::uint32_t> colors;
 };
 
 std::shared_ptr<const rtg::TriangleMesh> Tetrahedron()
@@ -75,9 +75,9 @@ Glyphs RandomGlyphs(Content content, unsigned seed)
   constexpr std::uint32_t count = 300;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    glyphs.instances.centres.emplace_back(uniform(random), uniform(random), uniform(random));
+    glyphs.instances.centers.emplace_back(uniform(random), uniform(random), uniform(random));
     glyphs.instances.sizes1.push_back(0.1f + 0.05f * uniform(random));
-    glyphs.colours.push_back(0xff000000u | (i * 2654435761u >> 8));
+    glyphs.colors.push_back(0xff000000u | (i * 2654435761u >> 8));
   }
   if (content == Content::Moving)
   {
@@ -100,7 +100,7 @@ Glyphs RandomGlyphs(Content content, unsigned seed)
 // What an image shows, whatever the order of the glyphs on the device.
 struct Picture
 {
-  std::vector<std::uint32_t> colours, glyphs;
+  std::vector<std::uint32_t> colors, glyphs;
   bool operator==(const Picture&) const = default;
 };
 
@@ -112,7 +112,7 @@ Picture Trace(rtg::Scene& scene, rtg::Tracer& tracer = rtg::testing::SharedTrace
     glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
   const Image image = tracer.Trace(scene, camera, { rtg::Light() }, settings);
   Picture picture;
-  picture.colours.assign(image.colour, image.colour + side * side);
+  picture.colors.assign(image.color, image.color + side * side);
   for (std::uint32_t i = 0; i < side * side; ++i)
   {
     const std::uint32_t glyph = image.glyphIds[i];
@@ -144,7 +144,7 @@ protected:
   static void Set(rtg::Scene& scene, rtg::Scene::SetId id, const Glyphs& glyphs)
   {
     scene.SetInstances(id, glyphs.instances);
-    scene.SetColours(id, glyphs.colours);
+    scene.SetColors(id, glyphs.colors);
   }
 
   Picture Expected(const Glyphs& glyphs) const
@@ -163,10 +163,10 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
   for (const Content content : { Content::Spheres, Content::Moving, Content::Mesh })
   {
     const Glyphs first = RandomGlyphs(content, 1), second = RandomGlyphs(content, 2);
-    Glyphs recoloured = second;
-    std::reverse(recoloured.colours.begin(), recoloured.colours.end());
+    Glyphs recolored = second;
+    std::reverse(recolored.colors.begin(), recolored.colors.end());
     const Picture firstPicture = this->Expected(first), secondPicture = this->Expected(second),
-                  recolouredPicture = this->Expected(recoloured);
+                  recoloredPicture = this->Expected(recolored);
     EXPECT_FALSE(firstPicture == secondPicture);
     int failures = 0;
     for (const char* function : functions)
@@ -206,7 +206,7 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
         scene->Commit();
         ASSERT_TRUE(Trace(*scene) == secondPicture);
 
-        scene->SetColours(id, recoloured.colours);
+        scene->SetColors(id, recolored.colors);
         {
           const Fault fault(function, call);
           try
@@ -219,7 +219,7 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
           }
         }
         scene->Commit();
-        ASSERT_TRUE(Trace(*scene) == recolouredPicture);
+        ASSERT_TRUE(Trace(*scene) == recoloredPicture);
         Set(*scene, id, first);
         scene->Commit();
         ASSERT_TRUE(Trace(*scene) == firstPicture);

@@ -14,7 +14,7 @@ namespace
 using namespace rtg;
 using namespace rtg::testing;
 
-/// Of each glyph; `centres` may be given low parts.
+/// Of each glyph; `centers` may be given low parts.
 void ExpectTight(const GlyphInstances& instances)
 {
   const std::vector<Box> boxes = GlyphBoxes(instances);
@@ -23,18 +23,18 @@ void ExpectTight(const GlyphInstances& instances)
   {
     shapes::Kernel<double>::Glyph glyph = KernelGlyph<double>(instances, i);
     glm::dvec3 low(0.0);
-    if (!instances.centresLow.empty())
+    if (!instances.centersLow.empty())
     {
-      low = glm::dvec3(instances.centresLow[i]);
+      low = glm::dvec3(instances.centersLow[i]);
     }
-    const glm::dvec3 centre = std::exchange(glyph.centre, glm::dvec3(0.0)) + low;
+    const glm::dvec3 center = std::exchange(glyph.center, glm::dvec3(0.0)) + low;
     glm::dvec3 lower, upper;
     shapes::Kernel<double>::GlyphBounds(instances.shape, glyph, lower, upper);
     // Of arrows, from the tail, even when there is only a head.
     const double size = glm::length(glm::max(glm::abs(lower), glm::abs(upper)));
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double least = centre[axis] + lower[axis], most = centre[axis] + upper[axis];
+      const double least = center[axis] + lower[axis], most = center[axis] + upper[axis];
       ASSERT_LE(boxes[i].lower[axis], least) << i;
       ASSERT_GE(boxes[i].upper[axis], most) << i;
       ASSERT_GE(boxes[i].lower[axis], least - 4e-6 * size - 4e-7 * std::abs(least)) << i;
@@ -65,7 +65,7 @@ TEST(GlyphBoxesOfMoving, HoldGlyphsAtTheTimesOfPrograms)
   for (int i = 0; i < 2000; ++i)
   {
     GlyphInstances instances;
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.uniformSize = 0.01f;
     instances.motion.velocities = { glm::vec3(100.0f, -70.0f, 30.0f) };
     instances.motion.accelerations = { glm::vec3(10.0f, 20.0f, -50.0f) };
@@ -79,11 +79,11 @@ TEST(GlyphBoxesOfMoving, HoldGlyphsAtTheTimesOfPrograms)
     {
       const float product = fraction * length;
       const float time = instances.motion.shutterOpen + product;
-      const glm::dvec3 centre = instances.motion.Displacement(0, time);
+      const glm::dvec3 center = instances.motion.Displacement(0, time);
       for (int axis = 0; axis < 3; ++axis)
       {
-        ASSERT_LE(box.lower[axis], centre[axis] - 0.5 * double(instances.uniformSize)) << time;
-        ASSERT_GE(box.upper[axis], centre[axis] + 0.5 * double(instances.uniformSize)) << time;
+        ASSERT_LE(box.lower[axis], center[axis] - 0.5 * double(instances.uniformSize)) << time;
+        ASSERT_GE(box.upper[axis], center[axis] + 0.5 * double(instances.uniformSize)) << time;
       }
     }
   }
@@ -92,11 +92,11 @@ TEST(GlyphBoxesOfMoving, HoldGlyphsAtTheTimesOfPrograms)
 TEST_P(GlyphBoxesTest, WithLowParts)
 {
   HardCase hard = HardCaseMaker(this->GetParam(), 200, 0).Case("turned");
-  for (glm::vec3& centre : hard.instances.centres)
+  for (glm::vec3& center : hard.instances.centers)
   {
-    const glm::dvec3 far = glm::dvec3(centre) + glm::dvec3(1e6, -1e7, 1.0);
-    centre = glm::vec3(far);
-    hard.instances.centresLow.emplace_back(far - glm::dvec3(centre));
+    const glm::dvec3 far = glm::dvec3(center) + glm::dvec3(1e6, -1e7, 1.0);
+    center = glm::vec3(far);
+    hard.instances.centersLow.emplace_back(far - glm::dvec3(center));
   }
   ExpectTight(hard.instances);
 }
@@ -124,7 +124,7 @@ TEST(GlyphBoxesOfSuperquadrics, HoldTheBounds)
     instances.sizes3.emplace_back(x, y, 1.0f);
     const float a = normal(random), b = normal(random), c = normal(random);
     instances.rotations.push_back(glm::normalize(glm::vec4(a, b, c, normal(random))));
-    instances.centres.emplace_back(unit(random));
+    instances.centers.emplace_back(unit(random));
   }
   ExpectTight(instances);
 }
@@ -140,7 +140,7 @@ TEST(GlyphBoxesOfBalls, AreFoundAsListed)
   {
     const auto any = [&] { return (2.0f * unit(random) - 1.0f) * std::pow(10.0f, 16.0f * unit(random) - 8.0f); };
     const float x = any(), y = any();
-    instances.centres.emplace_back(x, y, any());
+    instances.centers.emplace_back(x, y, any());
     instances.sizes1.push_back(i % 100 == 0 ? 0.0f : std::abs(any()));
   }
   const auto expectAsListed = [&]
@@ -157,9 +157,9 @@ TEST(GlyphBoxesOfBalls, AreFoundAsListed)
     }
   };
   expectAsListed();
-  for (const glm::vec3& centre : instances.centres)
+  for (const glm::vec3& center : instances.centers)
   {
-    instances.centresLow.push_back(3e-8f * unit(random) * centre);
+    instances.centersLow.push_back(3e-8f * unit(random) * center);
   }
   expectAsListed();
   instances.sizes1.clear();

@@ -20,7 +20,7 @@ Box Child(const GlyphTreeNode& node, int child)
   for (int axis = 0; axis < 3; ++axis)
   {
     const double step = std::ldexp(1.0, node.exponent[axis] - 127);
-    // Rounded towards the inside, so that a plane a hair too tight shows.
+    // Rounded toward the inside, so that a plane a hair too tight shows.
     box.lower[axis] =
       std::nextafterf(static_cast<float>(node.origin[axis] + step * node.planes[axis][0][child]), INFINITY);
     box.upper[axis] =
@@ -29,14 +29,14 @@ Box Child(const GlyphTreeNode& node, int child)
   return box;
 }
 
-void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<glm::vec3>& halfSizes)
+void ExpectContained(const std::vector<glm::vec3>& centers, const std::vector<glm::vec3>& halfSizes)
 {
-  const std::size_t count = centres.size();
+  const std::size_t count = centers.size();
   const std::uint32_t leafBits = GlyphTree::LeafBits(count, 2);
   std::vector<Box> unordered;
   for (std::size_t i = 0; i < count; ++i)
   {
-    unordered.push_back({ centres[i] - halfSizes[i], centres[i] + halfSizes[i] });
+    unordered.push_back({ centers[i] - halfSizes[i], centers[i] + halfSizes[i] });
   }
   const rtg::KdOrder kd = rtg::MakeKdOrder(unordered, leafBits);
   ASSERT_EQ(kd.order.size(), count);
@@ -86,12 +86,12 @@ std::vector<glm::vec3> Random(std::size_t count, const glm::vec3& size)
   return points;
 }
 
-std::vector<Box> Around(const std::vector<glm::vec3>& centres, float halfSize)
+std::vector<Box> Around(const std::vector<glm::vec3>& centers, float halfSize)
 {
   std::vector<Box> boxes;
-  for (const glm::vec3& centre : centres)
+  for (const glm::vec3& center : centers)
   {
-    boxes.push_back({ centre - halfSize, centre + halfSize });
+    boxes.push_back({ center - halfSize, center + halfSize });
   }
   return boxes;
 }
@@ -127,13 +127,13 @@ TEST(GlyphTree, OrdersChildrenAlongTheSplits)
 {
   // Children whose number differs only in the bit of one split lie on either side of it, as the order of visits
   // assumes.
-  const std::vector<glm::vec3> centres = Random(5000, glm::vec3(3.0f, 1.0f, 0.2f));
-  const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
-  const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centres, 0.0f), leafBits);
+  const std::vector<glm::vec3> centers = Random(5000, glm::vec3(3.0f, 1.0f, 0.2f));
+  const std::uint32_t leafBits = GlyphTree::LeafBits(centers.size(), 2);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centers, 0.0f), leafBits);
   std::vector<Box> points;
   for (std::uint32_t i : kd.order)
   {
-    points.push_back({ centres[i], centres[i] });
+    points.push_back({ centers[i], centers[i] });
   }
   const GlyphTree tree = rtg::BuildGlyphTree(points, leafBits, kd.axes);
   ASSERT_EQ(tree.nodes.size(), kd.axes.size());
@@ -162,13 +162,13 @@ TEST(GlyphTree, OrdersChildrenAlongTheSplits)
 TEST(GlyphTree, TightEnoughToBeUseful)
 {
   // A child's decoded box exceeds its contents by at most one step a side: 1/127 of the parent's extent, or less.
-  const std::vector<glm::vec3> centres = Random(4096, glm::vec3(1.0f));
-  const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
-  const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centres, 0.0f), leafBits);
+  const std::vector<glm::vec3> centers = Random(4096, glm::vec3(1.0f));
+  const std::uint32_t leafBits = GlyphTree::LeafBits(centers.size(), 2);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centers, 0.0f), leafBits);
   std::vector<Box> boxes;
   for (std::uint32_t i : kd.order)
   {
-    boxes.push_back({ centres[i] - 0.01f, centres[i] + 0.01f });
+    boxes.push_back({ centers[i] - 0.01f, centers[i] + 0.01f });
   }
   const GlyphTree tree = rtg::BuildGlyphTree(boxes, leafBits, kd.axes);
   Box whole = boxes[0];

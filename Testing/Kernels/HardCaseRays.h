@@ -134,11 +134,11 @@ inline void HardCaseMaker::AlongThinness(HardCase& hard, double ratio)
   this->Fill(hard,
     [&](HardCase& h, std::uint32_t i)
     {
-      const Vec centre = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
+      const Vec center = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
       const Vec other = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
       const double spread = std::pow(ratio, this->Uniform(-1.2, 0.0));
-      const Vec direction = glm::normalize(other - centre) + spread * this->UnitVector();
-      this->Shoot(h, i, centre, glm::normalize(direction), 3 * this->Extent(h, i));
+      const Vec direction = glm::normalize(other - center) + spread * this->UnitVector();
+      this->Shoot(h, i, center, glm::normalize(direction), 3 * this->Extent(h, i));
     });
 }
 

@@ -47,7 +47,7 @@ template <class Real>
 typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
 {
   typename shapes::Kernel<Real>::Glyph glyph{};
-  glyph.centre = instances.centres[index];
+  glyph.center = instances.centers[index];
   glyph.size = instances.SizeOf(index);
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
@@ -324,7 +324,7 @@ HardCaseMaker::Start(const std::string& situation, double size, double ratio, do
   instances.arrow.unitLength = float(size / (ratio > 1 ? ratio : 1.25));
   for (int i = 0; i < this->glyphs_; ++i)
   {
-    instances.centres.emplace_back(distance * this->UnitVector() + 0.5 * size * this->UnitVector());
+    instances.centers.emplace_back(distance * this->UnitVector() + 0.5 * size * this->UnitVector());
     if (turned)
     {
       instances.rotations.push_back(this->Rotation());
@@ -397,7 +397,7 @@ inline glm::dvec3 HardCaseMaker::ToWorld(const HardCase& hard, std::uint32_t ind
     scale *= 2.0;
     shift = middle / scale;
   }
-  return glyph.centre + Exact::RotateToWorld(glyph, (box + shift) * scale);
+  return glyph.center + Exact::RotateToWorld(glyph, (box + shift) * scale);
 }
 
 inline glm::dvec3 HardCaseMaker::RandomBoxPoint()

@@ -78,7 +78,7 @@ Long Legendre(int l, int m, Long x)
 }
 
 // sqrt((2l+1)/(4 pi) (l-m)!/(l+m)!) P_l^m, m >= 0
-Long Normalised(int l, int m, Long x)
+Long Normalized(int l, int m, Long x)
 {
   Long factor = (2 * l + 1) / (4 * std::acos(Long(-1)));
   for (int i = l - m + 1; i <= l + m; ++i)
@@ -93,7 +93,7 @@ Long Harmonic(HarmonicsBasis basis, int l, int m, const glm::dvec3& n)
 {
   const int order = std::abs(m);
   const Long phi = std::atan2(Long(n.y), Long(n.x)), root = m == 0 ? 1 : std::sqrt(Long(2));
-  const Long k = Normalised(l, order, Long(n.z)), sign = order % 2 == 0 ? 1 : -1;
+  const Long k = Normalized(l, order, Long(n.z)), sign = order % 2 == 0 ? 1 : -1;
   const Long c = root * k * std::cos(order * phi), s = root * k * std::sin(order * phi);
   switch (basis)
   {

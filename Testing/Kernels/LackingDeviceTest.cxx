@@ -64,7 +64,7 @@ TEST(LackingDeviceTest, ADeviceWithoutRayQueriesTraces)
   const auto device = rtg::Device::Shared();
   rtg::Scene scene{ device };
   rtg::GlyphInstances ball;
-  ball.centres = { glm::vec3(0.0f, 0.0f, 0.0f) };
+  ball.centers = { glm::vec3(0.0f, 0.0f, 0.0f) };
   const auto id = scene.Add();
   scene.SetInstances(id, ball);
   scene.Commit();

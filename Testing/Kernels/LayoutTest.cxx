@@ -100,7 +100,7 @@ TEST(LayoutTest, HostAndDeviceAgree)
   RTG_EXPECT(GlyphSetRecord, meshPositions);
   RTG_EXPECT(GlyphSetRecord, meshTree);
   RTG_EXPECT(GlyphSetRecord, meshVelocities);
-  RTG_EXPECT(GlyphSetRecord, coatColour);
+  RTG_EXPECT(GlyphSetRecord, coatColor);
   RTG_EXPECT(LightRecord, exponent);
   RTG_EXPECT(PixelSums, depth);
   RTG_EXPECT(PixelFeatures, hits);

@@ -69,13 +69,13 @@ protected:
       glm::ortho(-half, half, -half, half, 0.01, 20.0) * glm::lookAt(eye, target, up));
   }
 
-  rtg::Scene::SetId Add(Shape shape, std::vector<glm::vec3> centres, std::vector<glm::vec3> sizes,
+  rtg::Scene::SetId Add(Shape shape, std::vector<glm::vec3> centers, std::vector<glm::vec3> sizes,
     const rtg::Material& material, std::vector<glm::vec4> rotations = {})
   {
     rtg::GlyphInstances instances;
     instances.shape = shape;
     instances.arrow.fixedHeads = false;
-    instances.centres = std::move(centres);
+    instances.centers = std::move(centers);
     instances.sizes3 = std::move(sizes);
     instances.rotations = std::move(rotations);
     const auto id = this->scene.Add();

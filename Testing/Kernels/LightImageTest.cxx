@@ -40,7 +40,7 @@ TEST_F(LightTest, BadSettingsAreNamed)
   fails("fraction", [](auto& s) { s.lightFraction = 1.5f; });
   fails("albedo", [](auto& s) { s.albedoLimit = 0.0f; });
   fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
-  fails("environment color", [](auto& s) { s.environmentColour.g = NAN; });
+  fails("environment color", [](auto& s) { s.environmentColor.g = NAN; });
   fails("exposure", [](auto& s) { s.exposure = INFINITY; });
 }
 
@@ -48,9 +48,9 @@ TEST_F(LightTest, ExposureAndToneMappingDevelopTheImage)
 {
   rtg::Material material;
   material.lighting = false;
-  material.colour = glm::vec3(0.5f);
+  material.color = glm::vec3(0.5f);
   this->Add(Shape::Box, { { 0, 0, 0 } }, { { 10, 10, 1 } }, material);
-  const auto shown = [this] { return static_cast<int>(this->Trace().colour[0] & 255u); };
+  const auto shown = [this] { return static_cast<int>(this->Trace().color[0] & 255u); };
   for (Shading shading : { Shading::Local, Shading::PathTracing })
   {
     this->settings.shading = shading;
@@ -78,13 +78,13 @@ TEST_F(LightTest, ExposureAndToneMappingDevelopTheImage)
 TEST_F(LightTest, FeaturesSayWhatTheEyeMet)
 {
   rtg::Material material;
-  material.colour = { 0.25f, 0.5f, 0.75f };
+  material.color = { 0.25f, 0.5f, 0.75f };
   this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.8f) }, material);
   this->settings.features = true;
   const Image image = this->Trace();
   const std::size_t middle = 12 * 24 + 12;
   EXPECT_GT(image.normals[middle].z, 0.99f);
-  EXPECT_EQ(image.albedos[middle], material.colour);
+  EXPECT_EQ(image.albedos[middle], material.color);
   EXPECT_NEAR(image.viewDepths[middle], 5.0 - 0.9, 2e-3 + 0.01);
   EXPECT_EQ(image.normals[0], glm::vec3(0.0f));
 }
@@ -95,15 +95,15 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
   this->camera = LookFrom({ 0, -5, 4 }, { 0, 0, 0.3 }, 1.5);
   const auto ball = this->Add(Shape::Sphere, { { 0, 0, 0.5 } }, { glm::vec3(1.0f) }, White());
   const auto floor = this->Add(Shape::Box, { { 0, 0, -0.5 } }, { { 20, 20, 1 } }, White());
-  rtg::Material grey;
-  grey.colour = glm::vec3(0.7f);
+  rtg::Material gray;
+  gray.color = glm::vec3(0.7f);
   this->settings.width = this->settings.height = 48;
   for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
   {
     if (shading == Shading::PathTracing)
     {
-      this->scene.SetMaterial(ball, grey);
-      this->scene.SetMaterial(floor, grey);
+      this->scene.SetMaterial(ball, gray);
+      this->scene.SetMaterial(floor, gray);
     }
     this->settings.shading = shading;
     this->settings.features = false;
@@ -119,7 +119,7 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
       {
         glm::vec3 wanted = glm::vec3(truth[i]) / std::max(truth[i].a, 1e-6f);
         wanted = rtg::shading::LinearToDisplay(glm::clamp(wanted, 0.0f, 1.0f));
-        const glm::vec3 apart = glm::vec3(glm::unpackUnorm4x8(image.colour[i])) - wanted;
+        const glm::vec3 apart = glm::vec3(glm::unpackUnorm4x8(image.color[i])) - wanted;
         sum += glm::dot(apart, apart);
       }
       return sum / (3.0 * truth.size());
@@ -128,16 +128,16 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
     this->settings.samples = 4;
     Image image = this->Trace();
     const double noisy = error(image);
-    const std::vector<std::uint32_t> alphas(image.colour, image.colour + truth.size());
+    const std::vector<std::uint32_t> alphas(image.color, image.color + truth.size());
     const std::vector<std::uint32_t> denoised = this->tracer.Denoise(image)();
-    image.colour = denoised.data();
+    image.color = denoised.data();
     const double smooth = error(image);
     std::printf("squared error of 4 samples %.2e, denoised %.2e\n", noisy, smooth);
     // What is left is edges: few samples do not smooth these.
     EXPECT_LT(smooth, 0.5 * noisy);
     for (std::size_t i = 0; i < truth.size(); ++i)
     {
-      ASSERT_EQ(image.colour[i] >> 24, alphas[i] >> 24);
+      ASSERT_EQ(image.color[i] >> 24, alphas[i] >> 24);
     }
   }
 }
@@ -153,17 +153,17 @@ TEST_F(LightTest, DenoisingSmoothsShadowsOnTheGround)
   this->settings.width = this->settings.height = 48;
   this->settings.features = true;
   this->settings.independentSamples = false;
-  const auto opacities = [](const std::uint32_t* colours)
+  const auto opacities = [](const std::uint32_t* colors)
   {
     std::vector<double> found(48 * 48);
-    std::transform(colours, colours + found.size(), found.begin(), [](std::uint32_t c) { return (c >> 24) / 255.0; });
+    std::transform(colors, colors + found.size(), found.begin(), [](std::uint32_t c) { return (c >> 24) / 255.0; });
     return found;
   };
   for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
   {
     this->settings.shading = shading;
     this->settings.samples = 512;
-    const std::vector<double> truth = opacities(this->Trace().colour);
+    const std::vector<double> truth = opacities(this->Trace().color);
     const auto error = [&](const std::vector<double>& found)
     {
       return std::inner_product(truth.begin(), truth.end(), found.begin(), 0.0, std::plus<>(),
@@ -171,7 +171,7 @@ TEST_F(LightTest, DenoisingSmoothsShadowsOnTheGround)
     };
     this->settings.samples = 4;
     const Image image = this->Trace();
-    const double noisy = error(opacities(image.colour));
+    const double noisy = error(opacities(image.color));
     const double smooth = error(opacities(this->tracer.Denoise(image)().data()));
     std::printf("squared error of the opacity: 4 samples %.2e, denoised %.2e\n", noisy, smooth);
     EXPECT_LT(smooth, 0.5 * noisy);
@@ -210,7 +210,7 @@ TEST_F(LightTest, ApexesHaveNormals)
       instances.arrow.unitLength = 0.5f;
       for (int i = 0; i < 49; ++i)
       {
-        instances.centres.push_back(0.25f * glm::vec3(i / 7 - 3, i % 7 - 3, 0) + glm::vec3(0.015625f, 0.015625f, 0.0f));
+        instances.centers.push_back(0.25f * glm::vec3(i / 7 - 3, i % 7 - 3, 0) + glm::vec3(0.015625f, 0.015625f, 0.0f));
         instances.sizes3.emplace_back(shape == Shape::RoundCone ? glm::vec3(0.125f, 0.1875f, 0.0f) : glm::vec3(0.125f));
         instances.rotations.emplace_back(side > 0.0f ? glm::vec4(0, 0, 0, 1) : glm::vec4(0, 0, 1, 0));
       }

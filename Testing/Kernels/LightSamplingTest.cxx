@@ -78,12 +78,12 @@ TEST_F(LightTest, SeveralPathsASample)
 // although the first of them is the pixel's center.
 TEST_F(LightTest, PlacesInAPixelAreANet)
 {
-  std::vector<glm::vec3> centres;
+  std::vector<glm::vec3> centers;
   for (int column = 0; column < 24; ++column)
   {
-    centres.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
+    centers.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
   }
-  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), White());
+  this->Add(Shape::Box, centers, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), White());
   this->settings.independentSamples = false;
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.occlusionRadius = 1e-6f;
@@ -105,24 +105,24 @@ TEST_F(LightTest, PlacesInAPixelAreANet)
 TEST_F(LightTest, RouletteAndPathsChangeNoMean)
 {
   rtg::Material shining;
-  shining.colour = glm::vec3(0.6f, 0.75f, 0.9f);
-  shining.ambientColour = glm::vec3(0.5f, 0.3f, 0.1f);
+  shining.color = glm::vec3(0.6f, 0.75f, 0.9f);
+  shining.ambientColor = glm::vec3(0.5f, 0.3f, 0.1f);
   shining.ambient = 0.2f;
   shining.specular = 0.5f;
   shining.roughness = 0.4f;
-  std::vector<glm::vec3> centres;
+  std::vector<glm::vec3> centers;
   for (int i = 0; i < 27; ++i)
   {
-    centres.emplace_back(0.5f * (i % 3 - 1), 0.5f * (i / 3 % 3 - 1), 0.5f * (i / 9 - 1));
+    centers.emplace_back(0.5f * (i % 3 - 1), 0.5f * (i / 3 % 3 - 1), 0.5f * (i / 9 - 1));
   }
-  this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(27, glm::vec3(0.55f)), shining);
+  this->Add(Shape::Sphere, centers, std::vector<glm::vec3>(27, glm::vec3(0.55f)), shining);
   this->settings.shading = Shading::PathTracing;
-  this->settings.environmentColour = glm::vec3(1.0f, 0.8f, 0.9f);
+  this->settings.environmentColor = glm::vec3(1.0f, 0.8f, 0.9f);
   this->settings.samples = 128;
   rtg::Light sun, none;
   sun.kind = rtg::Light::Kind::Directional;
   sun.direction = glm::normalize(glm::vec3(0.3f, -0.5f, -1.0f));
-  none.colour = glm::vec3(0.0f); // changes nothing, but where there is a light roulette guesses nothing
+  none.color = glm::vec3(0.0f); // changes nothing, but where there is a light roulette guesses nothing
   struct Settings
   {
     std::vector<rtg::Light> lights;
@@ -175,11 +175,11 @@ class Steps
 // However the samples are shared out among calls: the same image to the bit.
 TEST_P(Steps, AccumulateToTheSameImage)
 {
-  const std::vector<glm::vec3> centres = Clutter(6, 50);
+  const std::vector<glm::vec3> centers = Clutter(6, 50);
   rtg::Material material;
-  material.colour = { 0.9f, 0.5f, 0.3f };
+  material.color = { 0.9f, 0.5f, 0.3f };
   material.specular = 0.4f;
-  this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(50, glm::vec3(0.3f)), material);
+  this->Add(Shape::Sphere, centers, std::vector<glm::vec3>(50, glm::vec3(0.3f)), material);
   this->lights.emplace_back();
   this->settings.shading = GetParam();
   this->settings.width = 41;
@@ -191,7 +191,7 @@ TEST_P(Steps, AccumulateToTheSameImage)
   this->settings.independentSamples = false;
   this->settings.samples = 13;
   const Image whole = this->Trace();
-  const std::vector<std::uint32_t> colour(whole.colour, whole.colour + pixels);
+  const std::vector<std::uint32_t> color(whole.color, whole.color + pixels);
   const std::vector<std::uint32_t> glyphs(whole.glyphIds, whole.glyphIds + pixels);
   const std::vector<std::uint32_t> sets(whole.setIds, whole.setIds + pixels);
   const std::vector<float> depth(whole.depth, whole.depth + pixels);
@@ -209,7 +209,7 @@ TEST_P(Steps, AccumulateToTheSameImage)
     done += step;
     EXPECT_EQ(image.samples, done);
   }
-  EXPECT_EQ(colour, std::vector<std::uint32_t>(image.colour, image.colour + pixels));
+  EXPECT_EQ(color, std::vector<std::uint32_t>(image.color, image.color + pixels));
   EXPECT_EQ(glyphs, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + pixels));
   EXPECT_EQ(sets, std::vector<std::uint32_t>(image.setIds, image.setIds + pixels));
   EXPECT_EQ(depth, std::vector<float>(image.depth, image.depth + pixels));
@@ -265,16 +265,16 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   instances.shape = shape;
   instances.origin = { 0.03, -0.01, 0.02 };
   instances.uniformSize = 0.2f;
-  std::vector<std::uint32_t> colours;
+  std::vector<std::uint32_t> colors;
   for (int i = 0; i < 300; ++i)
   {
-    instances.centres.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
+    instances.centers.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
     if (!plain)
     {
       instances.sizes3.emplace_back(0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
       instances.rotations.push_back(glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
       instances.motion.velocities.emplace_back(0.1f, 0.05f, 0.0f);
-      colours.push_back(static_cast<std::uint32_t>(random()) | 0xff000000u);
+      colors.push_back(static_cast<std::uint32_t>(random()) | 0xff000000u);
       instances.exponents3.emplace_back(1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
     }
   }
@@ -285,13 +285,13 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   // A set that is not shown, but whose origin is the scene's: centers are not relative to that.
   rtg::GlyphInstances away;
   away.origin = { 0.7, -0.4, 0.2 };
-  away.centres = { glm::vec3(0.0f) };
+  away.centers = { glm::vec3(0.0f) };
   const auto first = this->scene.Add();
   this->scene.SetInstances(first, away);
   this->scene.SetVisible(first, false);
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
-  this->scene.SetColours(id, colours);
+  this->scene.SetColors(id, colors);
   const Image one = this->Trace();
   const std::size_t pixels = std::size_t(one.width) * one.height;
   const std::vector<std::uint32_t> glyphs(one.glyphIds, one.glyphIds + pixels);
@@ -302,7 +302,7 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   rtg::GlyphInstances hidden;
   hidden.origin = instances.origin;
   hidden.uniformSize = 1e-4f;
-  hidden.centres = { instances.centres[0] };
+  hidden.centers = { instances.centers[0] };
   if (!plain)
   {
     hidden.motion.velocities = { instances.motion.velocities[0] };
@@ -310,16 +310,16 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   this->scene.SetInstances(this->scene.Add(), hidden);
   const Image several = this->Trace();
   const std::vector<glm::vec4> others = this->tracer.Means();
-  std::size_t otherGlyphs = 0, otherDepths = 0, otherColours = 0;
+  std::size_t otherGlyphs = 0, otherDepths = 0, otherColors = 0;
   for (std::size_t i = 0; i < pixels; ++i)
   {
     otherGlyphs += glyphs[i] != several.glyphIds[i];
     otherDepths += depths[i] != several.depth[i];
-    otherColours += means[i] != others[i];
+    otherColors += means[i] != others[i];
   }
   EXPECT_EQ(otherGlyphs, 0u);
   EXPECT_EQ(otherDepths, 0u);
-  EXPECT_EQ(otherColours, 0u);
+  EXPECT_EQ(otherColors, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WholeScene,

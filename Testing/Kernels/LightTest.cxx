@@ -112,7 +112,7 @@ protected:
     rtg::GlyphInstances instances;
     instances.shape = form.shape;
     instances.arrow.fixedHeads = false;
-    instances.centres = { { 0, 0, 0 } };
+    instances.centers = { { 0, 0, 0 } };
     instances.sizes3 = { { 1.6f, 1.1f, 1.3f } };
     instances.rotations = { glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f)) };
     instances.uniformExponents = form.exponents;
@@ -203,11 +203,11 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Furnace,
 // In clutter light takes several bounces to get out: more bounces let more out, never more than came in.
 TEST_F(LightTest, EnergyNeverGrowsWithBounces)
 {
-  const std::vector<glm::vec3> centres = Clutter(5, 200);
+  const std::vector<glm::vec3> centers = Clutter(5, 200);
   rtg::Material metal;
   metal.metallic = 1.0f;
   metal.roughness = 0.8f;
-  const auto id = this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(200, glm::vec3(0.3f)), White());
+  const auto id = this->Add(Shape::Sphere, centers, std::vector<glm::vec3>(200, glm::vec3(0.3f)), White());
   this->settings.shading = Shading::PathTracing;
   this->settings.samples = 64;
   rtg::Material half;
@@ -291,11 +291,11 @@ TEST_F(LightTest, OcclusionOfParallelPlanes)
   EXPECT_EQ(this->PixelMean(0, 0).r, 1.0f);
 
   // The light's color and strength multiply what is left.
-  this->settings.environmentColour = { 1.0f, 0.5f, 0.0f };
+  this->settings.environmentColor = { 1.0f, 0.5f, 0.0f };
   this->settings.lightIntensity = 0.5f;
   this->settings.samples = 4;
   this->Trace();
-  const glm::vec3 light = 0.5f * rtg::shading::DisplayToLinear(this->settings.environmentColour);
+  const glm::vec3 light = 0.5f * rtg::shading::DisplayToLinear(this->settings.environmentColor);
   for (int i = 0; i < 3; ++i)
   {
     EXPECT_FLOAT_EQ(this->PixelMean(0, 0)[i], light[i]);
@@ -308,7 +308,7 @@ TEST_F(LightTest, SkyOfTwoHalves)
 {
   const auto id = this->Add(Shape::Box, { { 0, -0.5f, 0 } }, { { 100.0f, 1.0f, 100.0f } }, White());
   this->camera = this->LookFrom({ 0, 5, 0.5 }, { 0, 0, 0 });
-  const rtg::GlyphColours white(std::vector<std::uint32_t>{ 0xffffffffu });
+  const rtg::GlyphColors white(std::vector<std::uint32_t>{ 0xffffffffu });
   this->settings.samples = 64;
   const double samples = 24.0 * 24.0 * this->settings.samples;
   const auto seen = [this] { return this->Trace(), this->ErrorOf(0.0).mean; };
@@ -327,9 +327,9 @@ TEST_F(LightTest, SkyOfTwoHalves)
     this->settings.skySlope = glm::vec3(0.0f);
     this->settings.albedoLimit = 0.8f;
     EXPECT_NEAR(seen(), 0.8, interval);
-    this->scene.SetColours(id, white);
+    this->scene.SetColors(id, white);
     EXPECT_NEAR(seen(), 1.0, interval);
-    this->scene.SetColours(id, {});
+    this->scene.SetColors(id, {});
   }
 
   // The plane faces the headlight by the cosine c between its normal and the view's axis, as a display color.
@@ -441,14 +441,14 @@ TEST_F(LightTest, InsideIsDark)
 // when nothing else shines.
 TEST_F(LightTest, DirectionalLightShinesOnAPlaneAsLocally)
 {
-  rtg::Material grey;
-  grey.colour = glm::vec3(0.5f);
-  grey.roughness = 0.0f;
-  this->Add(Shape::Box, { { 0, 0, -0.5f } }, { { 100.0f, 100.0f, 1.0f } }, grey);
+  rtg::Material gray;
+  gray.color = glm::vec3(0.5f);
+  gray.roughness = 0.0f;
+  this->Add(Shape::Box, { { 0, 0, -0.5f } }, { { 100.0f, 100.0f, 1.0f } }, gray);
   rtg::Light light;
   light.kind = rtg::Light::Kind::Directional;
   light.direction = glm::normalize(glm::vec3(0.3f, 0.2f, -1.0f));
-  light.colour = glm::vec3(0.8f, 0.6f, 0.4f);
+  light.color = glm::vec3(0.8f, 0.6f, 0.4f);
   this->lights = { light, light };
   this->settings.shading = Shading::PathTracing;
   this->settings.lightIntensity = 0.0f;
@@ -456,7 +456,7 @@ TEST_F(LightTest, DirectionalLightShinesOnAPlaneAsLocally)
   this->Trace();
   const rtg::shading::Surface surface = { glm::vec3(0.214041f), 0, 0, 0, glm::vec3(1), 0, 0, 0, glm::vec3(1) };
   const glm::vec3 from(0, 0, 1), to = -light.direction;
-  const glm::vec3 expected = 2.0f * glm::pi<float>() * light.colour * rtg::shading::Evaluate(surface, from, to, {});
+  const glm::vec3 expected = 2.0f * glm::pi<float>() * light.color * rtg::shading::Evaluate(surface, from, to, {});
   // Burley's smooth diffuse differs from Lambert's by the normal's view factor only: near 0.5^2.2 * 2 * cos.
   EXPECT_NEAR(expected.r / (2 * 0.214041 * 0.8 * to.z), 1.0, 0.06);
   const std::vector<glm::vec3> radiances = this->Radiances();
@@ -514,10 +514,10 @@ TEST_F(LightTest, TranslucentThingsAreHitByChance)
 // All layers along a ray, front to back, up to what is opaque: exactly, in every pixel.
 TEST_F(LightTest, TranslucentLayersAreBlendedFrontToBack)
 {
-  const auto add = [this](float z, glm::vec3 colour, float opacity)
+  const auto add = [this](float z, glm::vec3 color, float opacity)
   {
     rtg::Material material;
-    material.colour = colour;
+    material.color = color;
     material.opacity = opacity;
     material.lighting = false;
     this->Add(Shape::Box, { { 0, 0, z } }, { { 100.0f, 100.0f, 0.1f } }, material);
@@ -562,15 +562,15 @@ TEST_F(LightTest, TranslucentLayersAreBlendedFrontToBack)
 
 TEST_F(LightTest, LayersOfARayAreLimited)
 {
-  std::vector<glm::vec3> centres;
+  std::vector<glm::vec3> centers;
   for (int i = 0; i < 200; ++i)
   {
-    centres.emplace_back(0.0f, 0.0f, -0.01f * i);
+    centers.emplace_back(0.0f, 0.0f, -0.01f * i);
   }
   rtg::Material thin;
   thin.lighting = false;
   thin.opacity = 0.004f;
-  this->Add(Shape::Box, centres, std::vector<glm::vec3>(200, glm::vec3(10, 10, 0.005f)), thin);
+  this->Add(Shape::Box, centers, std::vector<glm::vec3>(200, glm::vec3(10, 10, 0.005f)), thin);
   this->Trace(rtg::Pass::Translucent);
   for (const glm::vec4& mean : this->tracer.Means())
   {

@@ -133,11 +133,11 @@ TEST_F(MemoryTest, ThousandsOfSetsTakeFewAllocations)
     for (int i = 0; i < side * side; ++i)
     {
       rtg::GlyphInstances instances;
-      instances.centres = { { (i % side + 0.5f) * 2.0f / side - 1.0f, (i / side + 0.5f) * 2.0f / side - 1.0f, 0.0f } };
+      instances.centers = { { (i % side + 0.5f) * 2.0f / side - 1.0f, (i / side + 0.5f) * 2.0f / side - 1.0f, 0.0f } };
       instances.sizes1 = { 1.0f / side };
       const rtg::Scene::SetId set = scene.Add();
       scene.SetInstances(set, instances);
-      scene.SetColours(set, std::vector<std::uint32_t>{ 0xff000000u | std::uint32_t(i) });
+      scene.SetColors(set, std::vector<std::uint32_t>{ 0xff000000u | std::uint32_t(i) });
     }
     scene.Commit();
     EXPECT_LT(this->vulkan.memory.Blocks(), before + 16);

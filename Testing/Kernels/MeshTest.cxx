@@ -75,7 +75,7 @@ protected:
     instances.origin = glm::dvec3(1000.0, -500.0, 20.0);
     for (std::size_t i = 0; i < count; ++i)
     {
-      instances.centres.push_back({ this->Uniform(-5, 5), this->Uniform(-5, 5), this->Uniform(-5, 5) });
+      instances.centers.push_back({ this->Uniform(-5, 5), this->Uniform(-5, 5), this->Uniform(-5, 5) });
       instances.sizes3.push_back({ this->Uniform(0.3f, 1), this->Uniform(0.3f, 1), this->Uniform(0.3f, 1) });
       instances.rotations.push_back(this->RandomRotation());
     }
@@ -107,7 +107,7 @@ protected:
     rtg::GlyphInstances instances;
     instances.shape = rtg::Shape::Mesh;
     instances.mesh = Share(std::move(mesh));
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.identifyTriangles = identifyTriangles;
     this->scene.SetInstances(id, instances);
     rtg::Material material;
@@ -167,10 +167,10 @@ TEST_F(MeshTest, HidesAndIsHiddenByOtherGlyphs)
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(BoxMesh());
-  instances.centres = { { 0, 0, 0 }, { 3, 0, 0 } };
+  instances.centers = { { 0, 0, 0 }, { 3, 0, 0 } };
   this->scene.SetInstances(meshes, instances);
   rtg::GlyphInstances balls;
-  balls.centres = { { 0, 0, 2 }, { 3, 0, -2 } };
+  balls.centers = { { 0, 0, 2 }, { 3, 0, -2 } };
   this->scene.SetInstances(spheres, balls);
   const auto hits = this->Probe(
     { { { 0.1, 0.1, 9 }, { 0, 0, -1 } }, { { 3.1, 0.1, 9 }, { 0, 0, -1 } }, { { 3.1, 0.1, -9 }, { 0, 0, 1 } } });
@@ -191,7 +191,7 @@ TEST_F(MeshTest, SmoothNormalsAreInterpolatedAndTurnWithTheInverseTranspose)
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(mesh);
-  instances.centres = { { 0, 0, 0 } };
+  instances.centers = { { 0, 0, 0 } };
   instances.sizes3 = { { 2, 4, 0.5f } };
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
@@ -224,7 +224,7 @@ TEST_F(MeshTest, NormalsHaveUnitLengthAtEveryScale)
         rtg::GlyphInstances instances;
         instances.shape = rtg::Shape::Mesh;
         instances.mesh = Share(std::move(mesh));
-        instances.centres = { glm::vec3(0.0f) };
+        instances.centers = { glm::vec3(0.0f) };
         instances.uniformSize = size;
         rtg::Scene own(this->device);
         own.GetState().structure = structure;
@@ -255,7 +255,7 @@ TEST_F(MeshTest, TrianglesWithoutAreaHaveNormals)
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(std::move(mesh));
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   this->scene.SetInstances(this->scene.Add(), instances);
   std::vector<rtg::testing::Probe> probes;
   for (int i = 0; i < 150000; ++i)
@@ -271,20 +271,20 @@ TEST_F(MeshTest, TrianglesWithoutAreaHaveNormals)
   EXPECT_GT(met, 0);
 }
 
-TEST_F(MeshTest, ColoursOfPositionsAreInterpolated)
+TEST_F(MeshTest, ColorsOfPositionsAreInterpolated)
 {
   rtg::TriangleMesh mesh;
   mesh.positions = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   mesh.triangles = { { 0, 1, 2 } };
-  mesh.positionColours = { 0xff0000ffu, 0xff00ff00u, 0xffff0000u };
+  mesh.positionColors = { 0xff0000ffu, 0xff00ff00u, 0xffff0000u };
   const Image image = this->TracePlain(mesh);
   for (const auto& [x, y] : { std::pair(3, 5), std::pair(40, 10), std::pair(8, 50) })
   {
     const float u = (x + 0.5f) / 64, v = (y + 0.5f) / 64;
-    const std::uint32_t colour = image.colour[y * 64 + x];
-    EXPECT_NEAR(colour & 255, 255 * (1 - u - v), 1.0) << x << ' ' << y;
-    EXPECT_NEAR(colour >> 8 & 255, 255 * u, 1.0) << x << ' ' << y;
-    EXPECT_NEAR(colour >> 16 & 255, 255 * v, 1.0) << x << ' ' << y;
+    const std::uint32_t color = image.color[y * 64 + x];
+    EXPECT_NEAR(color & 255, 255 * (1 - u - v), 1.0) << x << ' ' << y;
+    EXPECT_NEAR(color >> 8 & 255, 255 * u, 1.0) << x << ' ' << y;
+    EXPECT_NEAR(color >> 16 & 255, 255 * v, 1.0) << x << ' ' << y;
   }
   EXPECT_EQ(image.glyphIds[63 * 64 + 63], Image::noGlyph);
 }
@@ -309,7 +309,7 @@ TEST_F(MeshTest, WhatHasNoValueReachesAsFarAsItsTriangles)
       mesh.positions = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
       mesh.triangles = { { 0, 1, 2 } };
       mesh.positionValues = values;
-      mesh.valueColours = { number, number, noNumber, none };
+      mesh.valueColors = { number, number, noNumber, none };
       // Its first rows of pixels lie near the edge between the first two corners.
       mesh.positions[2].y = 50.0f;
       const Image image = this->TracePlain(mesh);
@@ -317,7 +317,7 @@ TEST_F(MeshTest, WhatHasNoValueReachesAsFarAsItsTriangles)
       {
         if (image.setIds[at] != Image::noGlyph)
         {
-          ASSERT_EQ(image.colour[at], expected) << at % 64 << ' ' << at / 64 << ' ' << int(structure);
+          ASSERT_EQ(image.color[at], expected) << at % 64 << ' ' << at / 64 << ' ' << int(structure);
         }
       }
       this->scene.Remove(image.setIds[0]);
@@ -330,14 +330,14 @@ TEST_F(MeshTest, WhatHasNoValueReachesAsFarAsItsPieceOfATube)
 {
   rtg::GlyphInstances tube;
   tube.shape = rtg::Shape::RoundCone;
-  tube.centres = { { 0.5f, 0.5f, 0.0f } };
+  tube.centers = { { 0.5f, 0.5f, 0.0f } };
   tube.sizes3 = { { 1.0f, 0.8f, 0.8f } };
-  rtg::GlyphColours colours;
-  colours.ends = { { glm::floatBitsToUint(0.5f), glm::floatBitsToUint(rtg::noValue) } };
-  colours.table = { 0xff00ff00u, 0xff0000ffu, 0xffff0000u };
+  rtg::GlyphColors colors;
+  colors.ends = { { glm::floatBitsToUint(0.5f), glm::floatBitsToUint(rtg::noValue) } };
+  colors.table = { 0xff00ff00u, 0xff0000ffu, 0xffff0000u };
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, tube);
-  this->scene.SetColours(id, colours);
+  this->scene.SetColors(id, colors);
   rtg::Material material;
   material.lighting = false;
   this->scene.SetMaterial(id, material);
@@ -349,11 +349,11 @@ TEST_F(MeshTest, WhatHasNoValueReachesAsFarAsItsPieceOfATube)
   const Image image = this->tracer.Trace(this->scene, camera, {}, settings);
   for (std::size_t at = 0; at < 16 * 16; ++at)
   {
-    ASSERT_EQ(image.colour[at], colours.table[2]) << at % 16;
+    ASSERT_EQ(image.color[at], colors.table[2]) << at % 16;
   }
 }
 
-TEST_F(MeshTest, ColoursAndNamesOfTrianglesFollowThem)
+TEST_F(MeshTest, ColorsAndNamesOfTrianglesFollowThem)
 {
   // Stripes in an order that sorting changes.
   constexpr std::uint32_t stripes = 16;
@@ -366,13 +366,13 @@ TEST_F(MeshTest, ColoursAndNamesOfTrianglesFollowThem)
     mesh.positions.insert(
       mesh.positions.end(), { { x, -9, 0 }, { x + 1.0f / stripes, -9, 0 }, { x + 0.5f / stripes, 99, 0 } });
     mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
-    mesh.triangleColours.push_back(0xff000000u + i);
+    mesh.triangleColors.push_back(0xff000000u + i);
   }
   const Image image = this->TracePlain(mesh, true);
   for (std::uint32_t i = 0; i < stripes; ++i)
   {
     const std::size_t at = 32 * 64 + place[i] * (64 / stripes) + 2;
-    EXPECT_EQ(image.colour[at] & 255, i);
+    EXPECT_EQ(image.color[at] & 255, i);
     EXPECT_EQ(this->scene.OriginalGlyph(image.setIds[at], image.glyphIds[at]), i);
   }
 }
@@ -382,13 +382,13 @@ TEST_F(MeshTest, SameMeshElsewhereIsNotBuiltAgain)
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(BoxMesh());
-  instances.centres = { { 0, 0, 0 } };
+  instances.centers = { { 0, 0, 0 } };
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
   const std::vector<rtg::testing::Probe> probe = { { { 0, 0, 9 }, { 0, 0, -1 } } };
   EXPECT_FLOAT_EQ(this->Probe(probe)[0].t, 8.5f);
   const auto builds = this->scene.GetStatistics().structureBuilds;
-  instances.centres = { { 0, 0, -1 } };
+  instances.centers = { { 0, 0, -1 } };
   this->scene.SetInstances(id, instances);
   EXPECT_FLOAT_EQ(this->Probe(probe)[0].t, 9.5f);
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, builds);
@@ -406,7 +406,7 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
       rtg::GlyphInstances instances;
       instances.shape = rtg::Shape::Mesh;
       instances.mesh = Share(FacetedBall(segments));
-      instances.centres = { glm::vec3(0.0f) };
+      instances.centers = { glm::vec3(0.0f) };
       if (moves)
       {
         instances.motion.velocities = { glm::vec3(1e-6f) };
@@ -448,7 +448,7 @@ TEST_F(MeshTest, TooManyInstancesAreOneError)
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(BoxMesh());
-  instances.centres.resize(4);
+  instances.centers.resize(4);
   const auto first = this->scene.Add();
   const auto second = this->scene.Add();
   this->scene.SetInstances(first, instances);
@@ -478,14 +478,14 @@ TEST_F(MeshTest, ThereIsSomethingAtEveryAddress)
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(BoxMesh());
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   this->scene.SetInstances(this->scene.Add(), instances);
   this->scene.Commit();
   const rtg::device::GlyphSetRecord& record = this->scene.GetState().records.front();
 #define RTG_EXPECT_ADDRESS(number, BIT, type, name, values, words) EXPECT_NE(record.name, 0u) << words;
   RTG_GLYPH_ARRAYS(RTG_EXPECT_ADDRESS)
 #undef RTG_EXPECT_ADDRESS
-  EXPECT_NE(record.colourTable, 0u);
+  EXPECT_NE(record.colorTable, 0u);
   EXPECT_NE(record.tree.order, 0u);
 }
 
@@ -497,7 +497,7 @@ TEST_F(MeshTest, SaysWhatIsWrongWithAMesh)
     rtg::GlyphInstances instances;
     instances.shape = rtg::Shape::Mesh;
     instances.mesh = std::move(mesh);
-    instances.centres = { { 0, 0, 0 } };
+    instances.centers = { { 0, 0, 0 } };
     return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   EXPECT_NE(message(nullptr).find("no triangle"), std::string::npos);

@@ -15,7 +15,7 @@ rtg::GlyphInstances MovingWall(float thickness, float way)
 {
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Box;
-  instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
+  instances.centers = { glm::vec3(-0.75f, 0.0f, 0.0f) };
   instances.sizes3 = { glm::vec3(thickness, 4.0f, thickness) };
   instances.motion.velocities = { { way, 0.0f, 0.0f } };
   instances.motion.shutterOpen = 0.0f;
@@ -31,7 +31,7 @@ TEST_P(MotionTest, SpheresCoverAsTheirPathsSay)
   // Straight: in closed form.
   constexpr double radius = 0.3, path = 1.0;
   rtg::GlyphInstances instances;
-  instances.centres = { { 0.1f, -0.05f, 0.0f } };
+  instances.centers = { { 0.1f, -0.05f, 0.0f } };
   instances.uniformSize = 2.0 * radius;
   // Half the speed for twice the time.
   instances.motion.velocities = { { 0.5f * path, 0.0f, 0.7f } };
@@ -50,7 +50,7 @@ TEST_P(MotionTest, SpheresCoverAsTheirPathsSay)
     });
 
   // Along a parabola that turns back: by brute force.
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   instances.uniformSize = 0.5f;
   instances.motion.velocities = { { 0.9f, 0.3f, 0.0f } };
   instances.motion.accelerations = { { -2.5f, 2.0f, 0.0f } };
@@ -58,16 +58,16 @@ TEST_P(MotionTest, SpheresCoverAsTheirPathsSay)
   this->scene.SetInstances(id, instances);
   this->scene.Commit();
   constexpr int times = 1000;
-  std::vector<glm::dvec2> centres;
+  std::vector<glm::dvec2> centers;
   for (int i = 0; i < times; ++i)
   {
-    centres.emplace_back(GlyphAt(instances, 0, (i + 0.5) / times).centre);
+    centers.emplace_back(GlyphAt(instances, 0, (i + 0.5) / times).center);
   }
   this->ExpectCoverage(
     [&](glm::dvec2 p)
     {
-      const auto hits = std::count_if(centres.begin(), centres.end(),
-        [&](const glm::dvec2& centre) { return glm::dot(p - centre, p - centre) < 0.0625; });
+      const auto hits = std::count_if(centers.begin(), centers.end(),
+        [&](const glm::dvec2& center) { return glm::dot(p - center, p - center) < 0.0625; });
       return double(hits) / times;
     });
 }
@@ -78,7 +78,7 @@ TEST_P(MotionTest, NoVelocityIsTheImageAtRest)
   rtg::GlyphInstances instances;
   for (int i = 0; i < 200; ++i)
   {
-    instances.centres.push_back(make.Vector(0.9f));
+    instances.centers.push_back(make.Vector(0.9f));
   }
   instances.uniformSize = 0.2f;
   const auto id = this->Add(instances);
@@ -116,7 +116,7 @@ protected:
   {
     rtg::GlyphInstances instances;
     instances.shape = shape;
-    instances.centres = { { -0.1f, 0.05f, 0.0f } };
+    instances.centers = { { -0.1f, 0.05f, 0.0f } };
     instances.sizes3 = { size };
     instances.rotations = { glm::normalize(glm::vec4(0.1f, 0.2f, 0.3f, 0.9f)) };
     // The parabola bends by many pixels, and there are samples enough, that a factor of 0.4 for 0.5 is seen: what
@@ -168,7 +168,7 @@ protected:
   void Add(const rtg::Material& material)
   {
     rtg::GlyphInstances instances;
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.uniformSize = 0.6f;
     instances.motion.velocities = { { 0.8f, 0.3f, -0.5f } };
     const auto id = this->MotionTest::Add(instances);
@@ -254,17 +254,17 @@ TEST_P(MotionTest, StreaksAreEvenForAnyNumberOfSamples)
   }
 }
 
-TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
+TEST_P(MotionTest, StreaksKeepTheColorsOfTheirGlyphs)
 {
   // Whatever else colors mean: thin parts of a streak are more transparent, not darker nor mixed with anything.
   rtg::GlyphInstances instances;
-  instances.centres = { { 0.0f, 0.5f, 0.0f }, { 0.0f, -0.5f, 0.0f } };
+  instances.centers = { { 0.0f, 0.5f, 0.0f }, { 0.0f, -0.5f, 0.0f } };
   instances.uniformSize = 0.4f;
   instances.motion.velocities = { { 1.2f, 0.0f, 0.0f }, { 0.8f, 0.1f, 0.0f } };
   instances.motion.accelerations = { { 3.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
   const auto id = this->Add(instances);
-  const std::vector<std::uint32_t> colours = { 0xff2040c0u, 0xffa08010u };
-  this->scene.SetColours(id, colours);
+  const std::vector<std::uint32_t> colors = { 0xff2040c0u, 0xffa08010u };
+  this->scene.SetColors(id, colors);
   rtg::Material material;
   material.lighting = false;
   this->scene.SetMaterial(id, material);
@@ -274,11 +274,11 @@ TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
   int thin = 0;
   for (std::uint32_t i = 0; i < image.width * image.height; ++i)
   {
-    const std::uint32_t alpha = image.colour[i] >> 24;
-    const std::uint32_t wanted = colours[i / image.width >= image.height / 2 ? 0 : 1];
+    const std::uint32_t alpha = image.color[i] >> 24;
+    const std::uint32_t wanted = colors[i / image.width >= image.height / 2 ? 0 : 1];
     for (int shift = 0; shift < 24 && alpha > 0; shift += 8)
     {
-      ASSERT_NEAR(image.colour[i] >> shift & 255, wanted >> shift & 255, 1) << i;
+      ASSERT_NEAR(image.color[i] >> shift & 255, wanted >> shift & 255, 1) << i;
     }
     thin += alpha > 0 && alpha < 128;
   }
@@ -290,7 +290,7 @@ TEST_P(MotionTest, FastSpheresAreSeenForTheirShareOfTheTime)
   // A thousand times the view while the shutter is open, there and back.
   constexpr double radius = 0.3, half = 1000.0;
   rtg::GlyphInstances instances;
-  instances.centres = { { 0.0f, 0.1f, 0.0f } };
+  instances.centers = { { 0.0f, 0.1f, 0.0f } };
   instances.uniformSize = 2.0 * radius;
   // x(t) = half (2 t - 2 t^2) for t in 0 .. 1 is 0 at both ends, where the speed is 2 half.
   instances.motion.velocities = { { 2.0 * half, 0.0f, 0.0f } };
@@ -336,14 +336,14 @@ TEST_P(MotionTest, MovingAndRestingSetsShareAScene)
 {
   // A large sphere at rest behind a small one that moves: all pixels are covered, and many mixed.
   rtg::GlyphInstances wall;
-  wall.centres = { { 0.0f, 0.0f, -2.0f } };
+  wall.centers = { { 0.0f, 0.0f, -2.0f } };
   wall.uniformSize = 3.5f;
   rtg::Material dark;
-  dark.colour = glm::vec3(0.0f);
+  dark.color = glm::vec3(0.0f);
   const auto wallSet = this->Add(wall);
   this->scene.SetMaterial(wallSet, dark);
   rtg::GlyphInstances sphere;
-  sphere.centres = { glm::vec3(0.0f) };
+  sphere.centers = { glm::vec3(0.0f) };
   sphere.uniformSize = 0.6f;
   sphere.motion.velocities = { { 1.0f, 0.0f, 0.0f } };
   this->Add(sphere);
@@ -362,7 +362,7 @@ TEST_P(MotionTest, RefusesWhatMakesNoSense)
 {
   const auto id = this->scene.Add();
   rtg::GlyphInstances good;
-  good.centres = { glm::vec3(0.0f), glm::vec3(1.0f) };
+  good.centers = { glm::vec3(0.0f), glm::vec3(1.0f) };
   good.motion.velocities = { glm::vec3(0.0f), glm::vec3(1.0f) };
   const auto message = [&](const std::function<void(rtg::GlyphInstances&)>& change)
   {
@@ -432,7 +432,7 @@ TEST(GlyphBoxesOfPaths, LongerPathsHaveMoreSlices)
   instances.uniformSize = 0.02f;
   for (int i = 0; i < 1000; ++i)
   {
-    instances.centres.push_back(make.Vector(1.0f));
+    instances.centers.push_back(make.Vector(1.0f));
   }
   std::uint32_t before = 0;
   for (const float path : { 0.0f, 0.005f, 0.05f, 0.5f, 5.0f })

@@ -52,7 +52,7 @@ public:
     instances.shape = shape;
     for (std::size_t i = 0; i < count; ++i)
     {
-      instances.centres.push_back(this->Vector(0.5f));
+      instances.centers.push_back(this->Vector(0.5f));
       instances.sizes3.push_back({ this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f) });
       instances.rotations.push_back(this->Rotation());
       if (moves)
@@ -84,14 +84,14 @@ inline Double::Glyph GlyphAt(const rtg::GlyphInstances& instances, std::size_t i
 {
   const rtg::GlyphMotion& motion = instances.motion;
   Double::Glyph glyph{};
-  glyph.centre = glm::dvec3(instances.centres[i]);
+  glyph.center = glm::dvec3(instances.centers[i]);
   if (!motion.velocities.empty())
   {
-    glyph.centre += glm::dvec3(motion.velocities[i]) * time;
+    glyph.center += glm::dvec3(motion.velocities[i]) * time;
   }
   if (!motion.accelerations.empty())
   {
-    glyph.centre += glm::dvec3(motion.accelerations[i]) * time * time / 2.0;
+    glyph.center += glm::dvec3(motion.accelerations[i]) * time * time / 2.0;
   }
   glyph.size = instances.sizes3.empty() ? glm::dvec3(instances.uniformSize) : glm::dvec3(instances.sizes3[i]);
   glyph.sameSize = instances.sizes3.empty();
@@ -159,7 +159,7 @@ protected:
       probe.time = make.Uniform(0.0f, 0.9999f);
       const Double::Glyph glyph = glyphAt(i % count, instances.motion.Time(probe.time));
       probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
-      probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.1f)) - probe.origin);
+      probe.direction = glm::vec3(glyph.center + glm::dvec3(make.Vector(0.1f)) - probe.origin);
       probes.push_back(probe);
     }
     const auto found = rtg::testing::TraceProbes(this->scene, probes);

@@ -70,7 +70,7 @@ struct GrowingBox
   Double::Glyph At(double time) const
   {
     Double::Glyph box{};
-    box.centre = this->Middle() + this->velocity * time + this->acceleration * (0.5 * time * time);
+    box.center = this->Middle() + this->velocity * time + this->acceleration * (0.5 * time * time);
     box.size = 1.0 + this->growth * time + this->growthOfGrowth * (0.5 * time * time);
     return box;
   }
@@ -80,7 +80,7 @@ struct GrowingBox
     rtg::GlyphInstances instances;
     instances.shape = rtg::Shape::Mesh;
     instances.identifyTriangles = true;
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.mesh = Share(this->Mesh());
     instances.motion.shutterOpen = -0.4f;
     instances.motion.shutterClose = 0.6f;
@@ -117,7 +117,7 @@ TEST_P(MovingMesh, GlyphCoversAsBruteForce)
 {
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Box;
-  instances.centres = { { -0.1f, 0.05f, 0.0f } };
+  instances.centers = { { -0.1f, 0.05f, 0.0f } };
   instances.sizes3 = { { 0.7f, 0.4f, 0.2f } };
   instances.rotations = { glm::normalize(glm::vec4(0.1f, 0.2f, 0.3f, 0.9f)) };
   instances.motion.velocities = { { 0.5f, -0.4f, 0.0f } };
@@ -149,7 +149,7 @@ TEST_P(MovingMesh, SurfaceCoversAsBruteForce)
       {
         // Sizes of both are of the glyph: its frame is that of the mesh times 0.6.
         const Double::Glyph at = box.At(instances.motion.Time((i + 0.5) / times));
-        const glm::dvec2 away = glm::abs(p - double(0.6f) * glm::dvec2(at.centre));
+        const glm::dvec2 away = glm::abs(p - double(0.6f) * glm::dvec2(at.center));
         covered += away.x < 0.5 * double(0.6f) * at.size.x && away.y < 0.5 * double(0.6f) * at.size.y;
       }
       return double(covered) / times;
@@ -166,7 +166,7 @@ TEST_P(MovingMesh, NormalsTurnWithTheirTriangles)
   mesh.motion.velocities = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 2 }, { 0, 0, 2 } };
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   instances.mesh = Share(mesh);
   instances.motion.shutterOpen = 0.0f;
   instances.motion.shutterClose = 1.0f;
@@ -205,7 +205,7 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
   }
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
-  instances.centres = { glm::vec3(0.3f) };
+  instances.centers = { glm::vec3(0.3f) };
   instances.mesh = Share(mesh);
   this->Add(instances);
   std::vector<rtg::testing::Probe> probes;
@@ -256,10 +256,10 @@ TEST_P(MovingMesh, WithoutMotionItIsTheMeshAtRest)
   MovingGlyphs make(9);
   rtg::GlyphInstances instances = make.Make(rtg::Shape::Mesh, 30, false, false);
   rtg::TriangleMesh mesh = BoxMesh(glm::vec3(0.3f));
-  mesh.triangleColours.resize(mesh.triangles.size());
+  mesh.triangleColors.resize(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
-    mesh.triangleColours[i] = 0xff000000u + 20u * static_cast<std::uint32_t>(i);
+    mesh.triangleColors[i] = 0xff000000u + 20u * static_cast<std::uint32_t>(i);
   }
   instances.mesh = Share(mesh);
   const auto id = this->Add(instances);
@@ -295,7 +295,7 @@ TEST_P(MovingMesh, IsBuiltOnceForGlyphsElsewhere)
   instances.mesh = Share(BoxMesh());
   const auto id = this->Add(instances);
   const auto before = this->scene.GetStatistics().structureBuilds;
-  instances.centres[3] += 0.1f;
+  instances.centers[3] += 0.1f;
   this->scene.SetInstances(id, instances);
   this->scene.Commit();
   // Of the glyphs, not of the mesh.
@@ -314,7 +314,7 @@ TEST_P(MovingMesh, ChangesColorsAndShutterAtOnce)
     const auto colored = [](std::uint32_t color)
     {
       rtg::TriangleMesh mesh = GrowingBox().Mesh();
-      mesh.triangleColours.assign(mesh.triangles.size(), color);
+      mesh.triangleColors.assign(mesh.triangles.size(), color);
       return Share(std::move(mesh));
     };
     instances.mesh = colored(0xff2040f0u);

@@ -28,7 +28,7 @@ rtg::GlyphInstances Balls(std::size_t count)
   rtg::GlyphInstances balls;
   for (std::size_t i = 0; i < count; ++i)
   {
-    balls.centres.emplace_back(uniform(random), uniform(random), uniform(random));
+    balls.centers.emplace_back(uniform(random), uniform(random), uniform(random));
     balls.sizes1.push_back(0.2f + 0.1f * float(i % 3));
   }
   return balls;
@@ -38,13 +38,13 @@ rtg::GlyphInstances Balls(std::size_t count)
 rtg::GlyphInstances Half(const rtg::GlyphInstances& all, bool left)
 {
   rtg::GlyphInstances half = all;
-  half.centres.clear();
+  half.centers.clear();
   half.sizes1.clear();
   for (std::size_t i = 0; i < all.Count(); ++i)
   {
-    if ((all.centres[i].x < 0.0f) == left)
+    if ((all.centers[i].x < 0.0f) == left)
     {
-      half.centres.push_back(all.centres[i]);
+      half.centers.push_back(all.centers[i]);
       half.sizes1.push_back(all.sizes1[i]);
     }
   }
@@ -88,13 +88,13 @@ protected:
   // The image's words, which stay when another one is traced.
   struct Kept
   {
-    std::vector<std::uint32_t> colours, setIds, glyphIds;
+    std::vector<std::uint32_t> colors, setIds, glyphIds;
     std::vector<float> depths;
   };
   static Kept Keep(const rtg::Image& image)
   {
     const std::size_t pixels = std::size_t(image.width) * image.height;
-    return { { image.colour, image.colour + pixels }, { image.setIds, image.setIds + pixels },
+    return { { image.color, image.color + pixels }, { image.setIds, image.setIds + pixels },
       { image.glyphIds, image.glyphIds + pixels }, { image.depth, image.depth + pixels } };
   }
   Kept Trace(rtg::Scene& of, rtg::Pass pass = rtg::Pass::Opaque, const rtg::Interrupt& interrupt = {})
@@ -106,12 +106,12 @@ protected:
   // As compositing between processes does it: the nearer one of each pixel.
   static std::vector<std::uint32_t> Nearer(const Kept& a, const Kept& b)
   {
-    std::vector<std::uint32_t> colours;
-    for (std::size_t i = 0; i < a.colours.size(); ++i)
+    std::vector<std::uint32_t> colors;
+    for (std::size_t i = 0; i < a.colors.size(); ++i)
     {
-      colours.push_back(a.depths[i] <= b.depths[i] ? a.colours[i] : b.colours[i]);
+      colors.push_back(a.depths[i] <= b.depths[i] ? a.colors[i] : b.colors[i]);
     }
-    return colours;
+    return colors;
   }
 
   // Largest difference of a channel, of pixels wholly inside in both, its mean, and the numbers of those that differ
@@ -153,8 +153,8 @@ protected:
       {
         const std::vector<char> bytes = rtg::PackNear(other, {}, rtg::GlyphBoxes(other), BoundsOf(own).Widened(reach));
         rtg::GlyphInstances near;
-        rtg::GlyphColours colours;
-        rtg::Unpack(bytes, near, colours);
+        rtg::GlyphColors colors;
+        rtg::Unpack(bytes, near, colors);
         Add(part, near, /*seen=*/false);
       }
       images.push_back(this->Trace(part));
@@ -168,7 +168,7 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
   Add(this->scene, Balls(60));
   constexpr std::uint32_t shares = 3;
   const Kept whole = this->Trace(this->scene);
-  const auto covered = whole.colours.size() - std::count(whole.colours.begin(), whole.colours.end(), 0u);
+  const auto covered = whole.colors.size() - std::count(whole.colors.begin(), whole.colors.end(), 0u);
   this->settings.shares = shares;
   std::vector<int> found(side * side, 0);
   std::size_t wrong = 0;
@@ -180,11 +180,11 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
     std::size_t own = 0;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-      const bool shown = part.glyphIds[i] != rtg::Image::noGlyph || part.colours[i] != 0u;
+      const bool shown = part.glyphIds[i] != rtg::Image::noGlyph || part.colors[i] != 0u;
       found[i] += shown;
       own += shown;
       wrong += shown &&
-        (part.colours[i] != whole.colours[i] || part.depths[i] != whole.depths[i] ||
+        (part.colors[i] != whole.colors[i] || part.depths[i] != whole.depths[i] ||
           part.glyphIds[i] != whole.glyphIds[i] || part.setIds[i] != whole.setIds[i]);
     }
     const double fair = double(covered) / shares;
@@ -194,7 +194,7 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
   std::size_t missing = 0;
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    missing += found[i] != (whole.glyphIds[i] != rtg::Image::noGlyph || whole.colours[i] != 0u);
+    missing += found[i] != (whole.glyphIds[i] != rtg::Image::noGlyph || whole.colors[i] != 0u);
   }
   EXPECT_EQ(missing, 0u);
 }
@@ -213,7 +213,7 @@ TEST_P(NeighborsTest, ShareOfSamplesThatAreAdded)
   {
     added = this->Trace(this->scene);
   }
-  EXPECT_EQ(added.colours, atOnce.colours);
+  EXPECT_EQ(added.colors, atOnce.colors);
   this->settings.share = 0;
   EXPECT_THROW(this->Trace(this->scene), rtg::Error); // the sums are those of the other share
 }
@@ -222,14 +222,14 @@ TEST_P(NeighborsTest, UnseenGlyphsShadeOnly)
 {
   // Among white balls on a white floor all light would come back.
   rtg::Material dark;
-  dark.colour = glm::vec3(0.1f);
+  dark.color = glm::vec3(0.1f);
   this->scene.SetMaterial(Add(this->scene, Balls(60), /*seen=*/false), dark);
   const Kept alone = this->Trace(this->scene);
-  EXPECT_TRUE(std::all_of(alone.colours.begin(), alone.colours.end(), [](std::uint32_t c) { return c == 0u; }));
+  EXPECT_TRUE(std::all_of(alone.colors.begin(), alone.colors.end(), [](std::uint32_t c) { return c == 0u; }));
 
   // A ball, too: one program for both scenes.
   rtg::GlyphInstances floor;
-  floor.centres = { glm::vec3(0.0f, -11.1f, 0.0f) };
+  floor.centers = { glm::vec3(0.0f, -11.1f, 0.0f) };
   floor.sizes1 = { 20.0f };
   const rtg::Scene::SetId seen = Add(this->scene, floor);
   for (const rtg::Shading shading : { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
@@ -241,17 +241,17 @@ TEST_P(NeighborsTest, UnseenGlyphsShadeOnly)
     Add(bare, floor);
     const Kept light = this->Trace(bare);
     double darker = 0.0;
-    for (std::size_t i = 0; i < shaded.colours.size(); ++i)
+    for (std::size_t i = 0; i < shaded.colors.size(); ++i)
     {
       EXPECT_TRUE(shaded.setIds[i] == seen || shaded.setIds[i] == rtg::Image::noGlyph);
-      darker += double(light.colours[i] & 255) - double(shaded.colours[i] & 255);
+      darker += double(light.colors[i] & 255) - double(shaded.colors[i] & 255);
     }
     // Where the scene begins rays are moved to, so they differ in their last bits.
     for (std::size_t i = 0; i < shaded.depths.size(); ++i)
     {
       ASSERT_NEAR(shaded.depths[i], light.depths[i], 1e-6f);
     }
-    EXPECT_GT(darker / double(shaded.colours.size()), 2.0);
+    EXPECT_GT(darker / double(shaded.colors.size()), 2.0);
   }
 }
 
@@ -267,7 +267,7 @@ TEST_P(NeighborsTest, UnseenTranslucentGlyphsAreNoLayers)
   rtg::Scene bare(rtg::Device::Shared());
   this->Prepare(bare);
   bare.SetMaterial(Add(bare, Balls(5)), half);
-  EXPECT_EQ(both.colours, this->Trace(bare, rtg::Pass::Translucent).colours);
+  EXPECT_EQ(both.colors, this->Trace(bare, rtg::Pass::Translucent).colors);
 }
 
 TEST_P(NeighborsTest, OcclusionIsThatOfOneProcess)
@@ -280,14 +280,14 @@ TEST_P(NeighborsTest, OcclusionIsThatOfOneProcess)
   this->settings.occlusionRadius = 0.4f;
   Add(this->scene, all);
   const Kept whole = this->Trace(this->scene);
-  const Difference near = Between(whole.colours, this->OnTwo(left, right, this->settings.occlusionRadius));
-  const Difference none = Between(whole.colours, this->OnTwo(left, right, 0.0));
+  const Difference near = Between(whole.colors, this->OnTwo(left, right, this->settings.occlusionRadius));
+  const Difference none = Between(whole.colors, this->OnTwo(left, right, 0.0));
   EXPECT_GT(near.pixels, side * side / 3);
   // Rays start from places that differ in their last bits.
   EXPECT_LT(near.mean, 0.01);
   EXPECT_GT(none.mean, 1.0);
   // A wider reach brings more glyphs and changes nothing.
-  EXPECT_LT(Between(whole.colours, this->OnTwo(left, right, 10.0)).mean, 0.01);
+  EXPECT_LT(Between(whole.colors, this->OnTwo(left, right, 10.0)).mean, 0.01);
 }
 
 TEST_P(NeighborsTest, OcclusionOfSurfacesIsThatOfOneProcess)
@@ -298,7 +298,7 @@ TEST_P(NeighborsTest, OcclusionOfSurfacesIsThatOfOneProcess)
     rtg::GlyphInstances surface;
     surface.shape = rtg::Shape::Mesh;
     surface.identifyTriangles = true;
-    surface.centres = { glm::vec3(0.0f) };
+    surface.centers = { glm::vec3(0.0f) };
     rtg::TriangleMesh mesh = rtg::testing::BoxMesh(glm::vec3(x, -0.2f, 0.0f));
     for (glm::vec3& position : mesh.positions)
     {
@@ -308,7 +308,7 @@ TEST_P(NeighborsTest, OcclusionOfSurfacesIsThatOfOneProcess)
     return surface;
   };
   rtg::GlyphInstances ball;
-  ball.centres = { glm::vec3(0.0f, 0.3f, 0.0f) };
+  ball.centers = { glm::vec3(0.0f, 0.3f, 0.0f) };
   ball.uniformSize = 0.6f;
   this->settings.occlusionRadius = 0.5f;
   Add(this->scene, wall(-0.5f));
@@ -335,15 +335,15 @@ TEST_P(NeighborsTest, OcclusionOfSurfacesIsThatOfOneProcess)
       for (int i = 0; i < (first ? 1 : 2) && reach > 0.0; ++i)
       {
         rtg::GlyphInstances near;
-        rtg::GlyphColours colours;
+        rtg::GlyphColors colors;
         const std::vector<char> bytes = rtg::PackNear(others[i], {}, rtg::GlyphBoxes(others[i]), bounds.Widened(reach));
         ASSERT_FALSE(bytes.empty());
-        rtg::Unpack(bytes, near, colours);
+        rtg::Unpack(bytes, near, colors);
         Add(part, near, /*seen=*/false);
       }
       images.push_back(this->Trace(part));
     }
-    const Difference difference = Between(whole.colours, Nearer(images[0], images[1]));
+    const Difference difference = Between(whole.colors, Nearer(images[0], images[1]));
     EXPECT_GT(difference.pixels, side * side / 5);
     if (reach > 0.0)
     {
@@ -373,7 +373,7 @@ TEST(NearGlyphs, ArriveAsTheyWere)
   sent.motion.shutterOpen = -0.125f;
   sent.motion.shutterClose = 0.25f;
   constexpr std::size_t count = 10;
-  rtg::GlyphColours colours;
+  rtg::GlyphColors colors;
   float value = 1.0f;
   const auto fill = [&](auto& values)
   {
@@ -382,7 +382,7 @@ TEST(NearGlyphs, ArriveAsTheyWere)
       v = std::decay_t<decltype(v)>(value += 0.25f);
     }
   };
-  rtg::ForEachArray(sent, colours,
+  rtg::ForEachArray(sent, colors,
     [&](std::size_t, std::uint32_t, auto& values, const char*)
     {
       if constexpr (std::is_same_v<std::decay_t<decltype(values)>, rtg::GlyphTuples>)
@@ -398,7 +398,7 @@ TEST(NearGlyphs, ArriveAsTheyWere)
       }
     });
   sent.sizes1.clear();
-  sent.centresLow.clear();
+  sent.centersLow.clear();
   std::fill(sent.sizes3.begin(), sent.sizes3.end(), glm::vec3(1.0f));
   std::fill(sent.exponents3.begin(), sent.exponents3.end(), glm::vec3(2.0f));
   std::fill(sent.rotations.begin(), sent.rotations.end(), glm::vec4(0, 0, 0, 1));
@@ -407,16 +407,16 @@ TEST(NearGlyphs, ArriveAsTheyWere)
   std::fill(sent.motion.angularVelocities.begin(), sent.motion.angularVelocities.end(), glm::vec3(0.0f));
   for (std::size_t i = 0; i < count; ++i)
   {
-    sent.centres[i] = glm::vec3(float(i), 0.0f, 0.0f);
+    sent.centers[i] = glm::vec3(float(i), 0.0f, 0.0f);
   }
   // Glyph 4 moves a long way into the region.
   sent.motion.velocities[4] = glm::vec3(8.0f, 0.0f, 0.0f);
 
   const rtg::DoubleBox region{ sent.origin + glm::dvec3(5.4, -1, -1), sent.origin + glm::dvec3(7.6, 1, 1) };
-  const std::vector<char> bytes = rtg::PackNear(sent, colours, rtg::GlyphBoxes(sent), region);
+  const std::vector<char> bytes = rtg::PackNear(sent, colors, rtg::GlyphBoxes(sent), region);
   rtg::GlyphInstances near;
-  rtg::GlyphColours nearColours;
-  rtg::Unpack(bytes, near, nearColours);
+  rtg::GlyphColors nearColors;
+  rtg::Unpack(bytes, near, nearColors);
   const std::vector<std::size_t> expected{ 4, 5, 6, 7, 8 };
   ASSERT_EQ(near.Count(), expected.size());
   EXPECT_EQ(near.shape, sent.shape);
@@ -426,10 +426,10 @@ TEST(NearGlyphs, ArriveAsTheyWere)
   EXPECT_EQ(near.motion.shutterOpen, sent.motion.shutterOpen);
   EXPECT_EQ(near.motion.shutterClose, sent.motion.shutterClose);
   std::size_t arrays = 0;
-  rtg::ForEachArray(sent, colours,
+  rtg::ForEachArray(sent, colors,
     [&](std::size_t number, std::uint32_t, const auto& values, const char* words)
     {
-      rtg::ForEachArray(near, nearColours,
+      rtg::ForEachArray(near, nearColors,
         [&](std::size_t other, std::uint32_t, const auto& arrived, const char*)
         {
           if constexpr (std::is_same_v<decltype(values), decltype(arrived)>)
@@ -461,8 +461,8 @@ TEST(NearGlyphs, ArriveAsTheyWere)
   EXPECT_EQ(arrays, rtg::glyphArrays - 2);
 
   const rtg::DoubleBox elsewhere{ sent.origin + glm::dvec3(0, 2, 2), sent.origin + glm::dvec3(9, 3, 3) };
-  EXPECT_TRUE(rtg::PackNear(sent, colours, rtg::GlyphBoxes(sent), elsewhere).empty());
-  EXPECT_THROW(rtg::Unpack({ bytes.begin(), bytes.end() - 5 }, near, nearColours), rtg::Error);
+  EXPECT_TRUE(rtg::PackNear(sent, colors, rtg::GlyphBoxes(sent), elsewhere).empty());
+  EXPECT_THROW(rtg::Unpack({ bytes.begin(), bytes.end() - 5 }, near, nearColors), rtg::Error);
 }
 
 // Of a surface the triangles that are near, with the values of their corners.
@@ -478,28 +478,28 @@ TEST(NearGlyphs, OfSurfacesAreTriangles)
     if (i >= 2)
     {
       strip.triangles.emplace_back(i - 2, i - 1, i);
-      strip.triangleColours.push_back(static_cast<std::uint32_t>(i));
+      strip.triangleColors.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  strip.valueColours = { 1u, 2u, 3u };
+  strip.valueColors = { 1u, 2u, 3u };
   rtg::GlyphInstances surface;
   surface.shape = rtg::Shape::Mesh;
   surface.identifyTriangles = true;
-  surface.centres = { glm::vec3(0.0f) };
+  surface.centers = { glm::vec3(0.0f) };
   surface.motion.shutterOpen = 0.0f;
   surface.motion.shutterClose = 0.5f;
   surface.mesh = rtg::testing::Share(strip);
   rtg::GlyphInstances near;
-  rtg::GlyphColours colours;
-  rtg::Unpack(rtg::PackNear(surface, {}, rtg::GlyphBoxes(surface), { { 5.2, 0, -1 }, { 5.8, 1, 1 } }), near, colours);
+  rtg::GlyphColors colors;
+  rtg::Unpack(rtg::PackNear(surface, {}, rtg::GlyphBoxes(surface), { { 5.2, 0, -1 }, { 5.8, 1, 1 } }), near, colors);
   ASSERT_TRUE(near.mesh);
   EXPECT_TRUE(near.identifyTriangles);
   // Between corners 5 and 6 along x lie two triangles; the one that moves is the last.
-  ASSERT_EQ(near.mesh->triangleColours, (std::vector<std::uint32_t>{ 12u, 13u, 19u }));
+  ASSERT_EQ(near.mesh->triangleColors, (std::vector<std::uint32_t>{ 12u, 13u, 19u }));
   ASSERT_EQ(near.mesh->triangles.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const glm::uvec3 from = strip.triangles[near.mesh->triangleColours[i] - 2u];
+    const glm::uvec3 from = strip.triangles[near.mesh->triangleColors[i] - 2u];
     for (int corner = 0; corner < 3; ++corner)
     {
       const std::uint32_t arrived = near.mesh->triangles[i][corner];
@@ -510,7 +510,7 @@ TEST(NearGlyphs, OfSurfacesAreTriangles)
     }
   }
   EXPECT_EQ(near.mesh->positions.size(), 7u);
-  EXPECT_EQ(near.mesh->valueColours, strip.valueColours);
+  EXPECT_EQ(near.mesh->valueColors, strip.valueColors);
 }
 
 } // namespace

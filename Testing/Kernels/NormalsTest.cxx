@@ -59,7 +59,7 @@ TEST_P(NormalsTest, ShadePicturesUpToTheSilhouette)
   const Subject& subject = GetParam();
   GlyphInstances instances;
   instances.shape = subject.shape;
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   instances.sizes3 = { glm::vec3(1.0f, 0.7f, 0.5f) };
   instances.rotations = { glm::normalize(glm::vec4(0.1f, -0.2f, 0.25f, 0.9f)) };
   instances.exponents3 = { subject.exponents };
@@ -113,7 +113,7 @@ TEST_P(NormalsTest, ShadePicturesUpToTheSilhouette)
     if (least > -2.0)
     {
       ++hits;
-      const double found = (image.colour[at] & 0xff) / 255.0;
+      const double found = (image.color[at] & 0xff) / 255.0;
       const double error = std::max({ least - found, found - most, 0.0 });
       wrong += error > 0.02;
       largest = std::max(largest, int(255.0 * error));

@@ -189,7 +189,7 @@ rtg::GlyphInstances Crowd(std::size_t count)
   instances.shape = rtg::Shape::Superquadric;
   for (std::size_t i = 0; i < count; ++i)
   {
-    instances.centres.push_back(vector());
+    instances.centers.push_back(vector());
     instances.sizes3.push_back(0.02f + 0.01f * vector());
     const glm::quat q = glm::angleAxis(3.0f * uniform(random), glm::normalize(vector()));
     instances.rotations.emplace_back(q.x, q.y, q.z, q.w);

@@ -28,14 +28,14 @@ protected:
   {
     rtg::GlyphInstances instances;
     instances.shape = shape;
-    instances.centres = light::Clutter(7, glyphs);
-    for (const glm::vec3& centre : instances.centres)
+    instances.centers = light::Clutter(7, glyphs);
+    for (const glm::vec3& center : instances.centers)
     {
-      instances.sizes3.push_back(glm::vec3(0.35f, 0.25f, 0.3f) + 0.1f * centre);
-      instances.rotations.push_back(glm::normalize(glm::vec4(centre, 0.7f)));
+      instances.sizes3.push_back(glm::vec3(0.35f, 0.25f, 0.3f) + 0.1f * center);
+      instances.rotations.push_back(glm::normalize(glm::vec4(center, 0.7f)));
       if (moves)
       {
-        instances.motion.velocities.emplace_back(0.5f * centre.y, 0.4f, centre.x);
+        instances.motion.velocities.emplace_back(0.5f * center.y, 0.4f, center.x);
       }
     }
     instances.motion.shutterClose = moves ? 1.0f : 0.0f;
@@ -54,7 +54,7 @@ protected:
   void AddCopies(const rtg::GlyphInstances& original)
   {
     rtg::GlyphInstances shown = original, lit = original;
-    lit.centres.clear();
+    lit.centers.clear();
     lit.sizes3.clear();
     lit.rotations.clear();
     lit.motion.velocities.clear();
@@ -74,7 +74,7 @@ protected:
             double(i) * this->images.edges[0] + double(j) * this->images.edges[1] + double(k) * this->images.edges[2]);
           for (std::size_t g = 0; g < glyphs; ++g)
           {
-            into.centres.push_back(original.centres[g] + offset);
+            into.centers.push_back(original.centers[g] + offset);
             into.sizes3.push_back(original.sizes3[g]);
             into.rotations.push_back(original.rotations[g]);
             if (!original.motion.velocities.empty())
@@ -86,7 +86,7 @@ protected:
       }
     }
     this->AddInstances(std::move(shown));
-    if (!lit.centres.empty())
+    if (!lit.centers.empty())
     {
       this->scene.SetSeen(this->AddInstances(std::move(lit)), false);
     }

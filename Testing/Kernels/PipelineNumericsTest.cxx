@@ -31,7 +31,7 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
       values = { values[index] };
     }
   };
-  keep(one.centres);
+  keep(one.centers);
   keep(one.sizes1);
   keep(one.sizes3);
   keep(one.rotations);
@@ -45,7 +45,7 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
 
 /// How far the normal at the crossing at t turns where the ray moves by what the pipeline's 48 bits of a place leave of
 /// it.
-double TurnOfNormal(ReferenceGlyph& glyph, const HardRay& ray, const glm::vec3& centre, double t)
+double TurnOfNormal(ReferenceGlyph& glyph, const HardRay& ray, const glm::vec3& center, double t)
 {
   const auto normalAt = [&](const glm::dvec3& origin)
   {
@@ -54,7 +54,7 @@ double TurnOfNormal(ReferenceGlyph& glyph, const HardRay& ray, const glm::vec3& 
       [&](const auto& a, const auto& b) { return std::abs(double(a.t) - t) < std::abs(double(b.t) - t); });
     return nearest == crossings.end() ? glm::dvec3(0.0) : ToDouble(nearest->normal);
   };
-  const double moved = 0x1p-47 * glm::max(std::abs(centre.x), glm::max(std::abs(centre.y), std::abs(centre.z)));
+  const double moved = 0x1p-47 * glm::max(std::abs(center.x), glm::max(std::abs(center.y), std::abs(center.z)));
   const glm::dvec3 normal = normalAt(ray.origin);
   double turn = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -104,7 +104,7 @@ protected:
         if (verdict.hasNormal && !(verdict.normalExcess <= 1.0))
         {
           verdict.normalExcess = verdict.radians /
-            (boundRadians + 2.0 * TurnOfNormal(reference, rays[k], hard.instances.centres[i], verdict.t));
+            (boundRadians + 2.0 * TurnOfNormal(reference, rays[k], hard.instances.centers[i], verdict.t));
         }
       }
     }

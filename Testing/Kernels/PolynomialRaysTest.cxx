@@ -18,7 +18,7 @@ struct DoubtfulRay
   std::string what;
   int degree;
   glm::dvec3 origin;
-  glm::vec3 direction, centre, size;
+  glm::vec3 direction, center, size;
   glm::vec4 rotation;
   std::vector<float> values; ///< of the polynomial, as the kernels take them
 };
@@ -86,7 +86,7 @@ TEST_P(PolynomialRaysTest, KeepTheBounds)
   const DoubtfulRay& given = this->GetParam();
   HardCase hard;
   hard.instances.shape = rtg::Shape::Polynomial;
-  hard.instances.centres = { given.centre };
+  hard.instances.centers = { given.center };
   hard.instances.sizes3 = { given.size };
   if (given.rotation != glm::vec4(0, 0, 0, 1))
   {

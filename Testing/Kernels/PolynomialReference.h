@@ -17,7 +17,7 @@ public:
   {
     Quad s;
     Quad gradient[3]; ///< of |p| - |f|, outwards
-    Quad fromCentre;
+    Quad fromCenter;
   };
 
   /// `coefficients` in the order of Kernels/Shapes/PolynomialForm.glsl, exact; `degree` even.

@@ -47,8 +47,8 @@ protected:
     for (const glm::dvec3& place : places)
     {
       const glm::dvec3 exact = place - origin;
-      glyphs.centres.emplace_back(exact);
-      glyphs.centresLow.emplace_back(exact - glm::dvec3(glyphs.centres.back()));
+      glyphs.centers.emplace_back(exact);
+      glyphs.centersLow.emplace_back(exact - glm::dvec3(glyphs.centers.back()));
       glyphs.sizes3.emplace_back(size, 0.8f * size, 0.9f * size);
       glyphs.rotations.push_back(glm::normalize(glm::vec4(0.3f, -0.2f, 0.5f, 0.8f)));
       if (std::get<1>(GetParam()))
@@ -165,7 +165,7 @@ TEST_P(PositionsTest, NeedlesAreMet)
     {
       // The last two only make the scene so large that rays start within it.
       const float aside = i < count ? 0.0f : i == count ? 1500.0f : -1500.0f;
-      needles.centres.emplace_back(2.0f * i + aside, aside, aside);
+      needles.centers.emplace_back(2.0f * i + aside, aside, aside);
       needles.sizes3.emplace_back(1.0f, 1e-5f, 1e-5f);
       if (std::get<1>(GetParam()))
       {
@@ -229,7 +229,7 @@ TEST_P(PositionsTest, MeshesSurviveAnotherOrigin)
   const auto mesh = [](const glm::dvec3& origin)
   {
     rtg::GlyphInstances glyphs = Glyphs(Shape::Mesh, { origin }, origin);
-    glyphs.centresLow.clear();
+    glyphs.centersLow.clear();
     return glyphs;
   };
   std::vector<rtg::testing::Probe> probes, aloneProbes;
@@ -336,7 +336,7 @@ TEST(Boxes, AreAsTightBesideAnOutlier)
   crowd.uniformSize = size;
   for (int i = 0; i < 4000; ++i)
   {
-    crowd.centres.emplace_back(uniform(random), uniform(random), uniform(random));
+    crowd.centers.emplace_back(uniform(random), uniform(random), uniform(random));
   }
   const auto medianSurface = [&]
   {
@@ -370,9 +370,9 @@ TEST(Boxes, AreAsTightBesideAnOutlier)
   const double alone = medianSurface();
   for (const float outlier : { 1e4f, 1e7f, 1e30f })
   {
-    crowd.centres.emplace_back(outlier, -0.5f * outlier, 0.7f * outlier);
+    crowd.centers.emplace_back(outlier, -0.5f * outlier, 0.7f * outlier);
     EXPECT_LT(medianSurface(), 1.1 * alone) << outlier;
-    crowd.centres.pop_back();
+    crowd.centers.pop_back();
   }
 }
 

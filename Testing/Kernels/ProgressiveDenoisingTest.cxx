@@ -10,13 +10,13 @@ TEST_F(ProgressiveImageTest, GrowingImagesAreDenoisedAndFinishedOnesNotUnlessAlw
   effort.samplesAtOnce = 2;
   effort.denoising = Denoising::WhileGrowing;
   this->Update(effort);
-  EXPECT_EQ(this->image.GetImage().colour[0], 2u);
+  EXPECT_EQ(this->image.GetImage().color[0], 2u);
   this->Finish(effort);
-  EXPECT_EQ(this->image.GetImage().colour[0], 7u);
+  EXPECT_EQ(this->image.GetImage().color[0], 7u);
 
   effort.denoising = Denoising::Always;
   this->Update(effort);
-  EXPECT_EQ(this->image.GetImage().colour[0], 8u);
+  EXPECT_EQ(this->image.GetImage().color[0], 8u);
   EXPECT_EQ(this->image.GetState(), State::Finished);
 }
 
@@ -42,7 +42,7 @@ TEST_F(ProgressiveImageTest, AFinishedImageIsTracedAnewForTheDenoiser)
   EXPECT_EQ(this->source.traces, 1);
   effort.denoising = Denoising::Always;
   this->Update(effort);
-  EXPECT_EQ(this->image.GetImage().colour[0], 4u);
+  EXPECT_EQ(this->image.GetImage().color[0], 4u);
   this->Update(effort);
   EXPECT_EQ(this->source.traces, 2);
 }

@@ -18,10 +18,10 @@ TEST_F(ProgressiveImageTest, AnImageOfTheSceneFailsUntilItsContentChangesOrMemor
   EXPECT_NE(this->Update(Script(1)), nullptr);
 
   this->source.sceneFails = true;
-  this->view.content = 1;
+  this->view.sceneVersion = 1;
   EXPECT_EQ(this->Update(Script(1)), nullptr);
   this->source.sceneFails = false;
-  this->view.content = 2;
+  this->view.sceneVersion = 2;
   EXPECT_NE(this->Update(Script(1)), nullptr);
 }
 
@@ -48,7 +48,7 @@ TEST_F(ProgressiveImageTest, ATraceFailsUntilSizeLightSamplesContentOrMemoryChan
   this->source.bytes -= 1;
   EXPECT_NE(this->Update(Script(8)), nullptr);
   fail();
-  this->view.content += 1;
+  this->view.sceneVersion += 1;
   EXPECT_NE(this->Update(Script(8)), nullptr);
 }
 
@@ -62,10 +62,10 @@ TEST_F(ProgressiveImageTest, ALostDeviceIsReplacedOnce)
   EXPECT_EQ(this->source.traces, 2);
   EXPECT_EQ(this->Update(Script(4)), nullptr);
   EXPECT_EQ(this->source.traces, 2) << "a device that was lost twice is tried a third time";
-  this->view.content = 1;
+  this->view.sceneVersion = 1;
   EXPECT_NE(this->Update(Script(4)), nullptr);
   // After an image a loss is an accident again.
-  this->view.content = 2;
+  this->view.sceneVersion = 2;
   this->source.loseDevice = true;
   EXPECT_EQ(this->Update(Script(4)), nullptr);
   EXPECT_NE(this->Update(Script(4)), nullptr);
@@ -87,7 +87,7 @@ TEST_F(ProgressiveImageTest, NoDeviceIsAskedForAgainWithOtherContent)
   EXPECT_EQ(this->image.GetFailure().cause, ProgressiveImage::Cause::Device);
   this->source.noDevice = false;
   EXPECT_EQ(this->Update(Script(1)), nullptr);
-  this->view.content = 1;
+  this->view.sceneVersion = 1;
   EXPECT_NE(this->Update(Script(1)), nullptr);
 }
 

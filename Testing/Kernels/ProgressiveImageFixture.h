@@ -88,7 +88,7 @@ public:
     }
     preview.width = settings.width;
     preview.height = settings.height;
-    preview.colour = preview.traced = this->previewPixels.data();
+    preview.color = preview.traced = this->previewPixels.data();
     return preview;
   }
 
@@ -155,7 +155,7 @@ public:
       this->keeps = this->last.keepSums;
     }
     image.samples = this->done;
-    image.colour = image.traced = this->pixels.data();
+    image.color = image.traced = this->pixels.data();
     return image;
   }
 

@@ -113,7 +113,7 @@ TEST_F(ProgressiveImageTest, ACaptureGoesOnWithTheWindowsImageAndTheWindowWithTh
     ASSERT_NE(this->Update(capture), nullptr) << this->image.GetFailure().message;
     EXPECT_EQ(this->image.GetState(), State::Finished);
     EXPECT_EQ(this->source.rays - rays, 64.0 - had);
-    EXPECT_EQ(this->image.GetImage().colour[0], 7u) << "a finished image is denoised";
+    EXPECT_EQ(this->image.GetImage().color[0], 7u) << "a finished image is denoised";
     this->Update(Window(64));
     EXPECT_EQ(this->image.GetState(), State::Finished);
     EXPECT_EQ(this->source.rays - rays, 64.0 - had);
@@ -133,7 +133,7 @@ TEST_F(ProgressiveImageTest, AnotherViewBeginsAnew)
   changed("camera");
   this->view.lights.emplace_back();
   changed("lights");
-  this->view.content = 1;
+  this->view.sceneVersion = 1;
   changed("content");
   this->view.settings.shading = rtg::Shading::Local;
   changed("shading");
@@ -208,7 +208,7 @@ TEST_F(ProgressiveImageTest, OtherLightIsExpected)
 {
   this->Update(Script(4));
   EXPECT_TRUE(this->source.expected.empty());
-  this->view.content = 1;
+  this->view.sceneVersion = 1;
   this->source.compilingSeconds = 1.0;
   this->Update(Window(4));
   EXPECT_TRUE(this->source.expected.empty());

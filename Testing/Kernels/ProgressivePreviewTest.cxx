@@ -43,7 +43,7 @@ TEST_F(ProgressiveImageTest, TheFirstPictureMayTakeLonger)
   ImageEffort effort = Window(16);
   for (const double first : { 0.0, 0.8 })
   {
-    ++this->view.content;
+    ++this->view.sceneVersion;
     effort.firstSeconds = first;
     this->Update(effort);
     EXPECT_EQ(this->source.previewStep, first > 0.0 ? 2.0 : 6.0);
@@ -57,7 +57,7 @@ TEST_F(ProgressiveImageTest, APreviewStaysUntilThereIsASample)
   this->source.secondsPerSample = 0.3;
   for (std::uint64_t content : { 1u, 2u })
   {
-    this->view.content = content;
+    this->view.sceneVersion = content;
     const double before = this->source.now;
     ASSERT_NE(this->Update(Window(4)), nullptr);
     EXPECT_LT(this->source.now - before, 0.2);
@@ -68,12 +68,12 @@ TEST_F(ProgressiveImageTest, APreviewStaysUntilThereIsASample)
     for (; this->image.Samples() == 0; ++updates)
     {
       ASSERT_LT(updates, 10);
-      EXPECT_EQ(this->image.GetImage().colour[0], 5u);
+      EXPECT_EQ(this->image.GetImage().color[0], 5u);
       EXPECT_EQ(this->image.Version(), version);
       ASSERT_NE(this->Update(Window(4)), nullptr);
     }
     EXPECT_GT(updates, 1);
-    EXPECT_EQ(this->image.GetImage().colour[0], 7u);
+    EXPECT_EQ(this->image.GetImage().color[0], 7u);
   }
 }
 

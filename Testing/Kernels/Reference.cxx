@@ -54,7 +54,7 @@ std::vector<Quad> Roots(Quad a, Quad b, Quad c)
 
 ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t index)
   : shape_(instances.shape)
-  , centre_(ToQuad(glm::dvec3(instances.centres[index])))
+  , center_(ToQuad(glm::dvec3(instances.centers[index])))
 {
   const glm::vec3 size = instances.SizeOf(index);
   const glm::vec4 q = instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
@@ -188,13 +188,13 @@ void ReferenceGlyph::MakeArrow(Quad factor)
     {
       const Quad inradius = tip * height / (tip + sqrtq(tip * tip + height * height));
       const Quad ball = Quad(form.tipRounding) * form.tipRounding * inradius;
-      const Quad centre = end - ball;
+      const Quad center = end - ball;
       // Angle at the base's rim between the axis and the line that touches the ball.
-      const Quad toCentre = centre - base;
-      const Quad distance = sqrtq(tip * tip + toCentre * toCentre);
-      const Quad angle = atan2q(tip, toCentre) - asinq(ball / distance);
-      this->profile_.push_back({ centre + ball * sinq(angle), ball * cosq(angle) });
-      this->balls_ = { { centre, ball, this->profile_.back().h, end } };
+      const Quad toCenter = center - base;
+      const Quad distance = sqrtq(tip * tip + toCenter * toCenter);
+      const Quad angle = atan2q(tip, toCenter) - asinq(ball / distance);
+      this->profile_.push_back({ center + ball * sinq(angle), ball * cosq(angle) });
+      this->balls_ = { { center, ball, this->profile_.back().h, end } };
       this->smoothEnd_ = true;
     }
   }
@@ -219,7 +219,7 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
 {
   const QuadVector o = ToQuad(origin);
   const QuadVector d = ToQuad(glm::dvec3(direction));
-  const QuadVector lo = this->Turned({ o.x - this->centre_.x, o.y - this->centre_.y, o.z - this->centre_.z }, false);
+  const QuadVector lo = this->Turned({ o.x - this->center_.x, o.y - this->center_.y, o.z - this->center_.z }, false);
   const QuadVector ld = this->Turned(d, false);
   Quad scale = factor;
   if (this->shape_ == Shape::Arrow)
@@ -263,7 +263,7 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
     for (const PolynomialReference::Crossing& crossing : polynomial.Crossings(o2, d2))
     {
       this->Add(crossing.s, { crossing.gradient[0], crossing.gradient[1], crossing.gradient[2] },
-        crossing.fromCentre / 2, found);
+        crossing.fromCenter / 2, found);
     }
   }
   else
@@ -354,12 +354,12 @@ void ReferenceGlyph::MeetRectangles(const UnitRay& ray, std::vector<ReferenceCro
 
 void ReferenceGlyph::MeetBall(const UnitRay& ray, const Ball& ball, std::vector<ReferenceCrossing>& crossings) const
 {
-  const QuadVector o{ ray.origin.x - ball.centre, ray.origin.y, ray.origin.z };
+  const QuadVector o{ ray.origin.x - ball.center, ray.origin.y, ray.origin.z };
   const Quad c = Dot(o, o) - ball.radius * ball.radius;
   for (const Quad t : Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction), c))
   {
     const QuadVector p = At(o, ray.direction, t);
-    if (p.x + ball.centre >= ball.from - tolerance && p.x + ball.centre <= ball.to + tolerance)
+    if (p.x + ball.center >= ball.from - tolerance && p.x + ball.center <= ball.to + tolerance)
     {
       this->Add(t, p, 1, crossings);
     }

@@ -60,7 +60,7 @@ private:
   /// The part between two heights of a ball on the axis.
   struct Ball
   {
-    Quad centre, radius, from, to;
+    Quad center, radius, from, to;
   };
 
   QuadVector Turned(const QuadVector& v, bool toWorld) const;
@@ -76,7 +76,7 @@ private:
     std::vector<ReferenceCrossing>& crossings) const;
 
   Shape shape_;
-  QuadVector centre_;
+  QuadVector center_;
   QuadVector scale_; ///< world size of the unit frame's unit
   ArrowForm arrow_;
   QuadVector exponents_; ///< of superquadrics

@@ -16,7 +16,7 @@ ReferenceGlyph Unit(Shape shape, glm::vec3 size = glm::vec3(1.0f), const ArrowFo
   GlyphInstances instances;
   instances.shape = shape;
   instances.arrow = arrow;
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   instances.sizes3 = { size };
   return ReferenceGlyph(instances, 0);
 }
@@ -40,7 +40,7 @@ void ExpectAllDigits(ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 directio
   EXPECT_LT(double(fabsq(crossings[1].t - to)), 1e-30) << double(to);
 }
 
-TEST(ReferenceTest, Centred)
+TEST(ReferenceTest, Centered)
 {
   ExpectCrossings(Unit(Shape::Sphere), { -3, 0.3, 0 }, { 1, 0, 0 }, { 2.6, 3.4 });
   ExpectCrossings(Unit(Shape::Box), { -3, 0.25, 0 }, { 2, 0, 0 }, { 1.25, 1.75 });
@@ -76,7 +76,7 @@ TEST(ReferenceTest, KeepsAllDigits)
   ExpectAllDigits(Unit(Shape::RoundCone, { 2, 2, 1 }), { 0, -3, 0 }, y, 3 - root15 / 5, 3 + root15 / 5);
   GlyphInstances ball;
   ball.shape = Shape::Superquadric;
-  ball.centres = { glm::vec3(0.0f) };
+  ball.centers = { glm::vec3(0.0f) };
   ball.sizes3 = { glm::vec3(1.0f) };
   ball.uniformExponents = glm::vec3(2.0f);
   ExpectAllDigits(ReferenceGlyph(ball, 0), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
@@ -126,7 +126,7 @@ TEST(ReferenceTest, Superquadrics)
   {
     GlyphInstances instances;
     instances.shape = Shape::Superquadric;
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.sizes3 = { size };
     instances.uniformExponents = exponents;
     return ReferenceGlyph(instances, 0);
@@ -151,7 +151,7 @@ TEST(ReferenceTest, NestedSuperquadrics)
   {
     GlyphInstances instances;
     instances.shape = Shape::NestedSuperquadric;
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.sizes3 = { glm::vec3(1.0f) };
     instances.uniformExponents = exponents;
     return ReferenceGlyph(instances, 0);

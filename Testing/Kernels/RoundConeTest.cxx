@@ -33,7 +33,7 @@ struct Line
     const glm::dvec3 axis = glm::normalize(way);
     const glm::dquat turn = glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
     typename Kernel::Glyph glyph{};
-    glyph.centre = Vector(middle);
+    glyph.center = Vector(middle);
     glyph.size = Vector(glm::length(way), 2 * this->radii[i], 2 * this->radii[i + 1]);
     glyph.rotation = Vector4(turn.x, turn.y, turn.z, turn.w);
     glyph.turned = true;

@@ -36,9 +36,9 @@ protected:
     this->camera =
       rtg::Camera::FromWorldToClip(projection * glm::lookAt(glm::dvec3(0, 0, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
     this->side = side;
-    this->colours.assign(std::size_t(side) * rows, 0);
-    this->depths.assign(this->colours.size(), 1.0f);
-    this->sets.assign(this->colours.size(), Image::noGlyph);
+    this->colors.assign(std::size_t(side) * rows, 0);
+    this->depths.assign(this->colors.size(), 1.0f);
+    this->sets.assign(this->colors.size(), Image::noGlyph);
     this->glyphs = this->sets;
     for (std::uint32_t row = 0; row < rows; ++row)
     {
@@ -48,7 +48,7 @@ protected:
         const std::size_t at = std::size_t(row) * side + column;
         if (seen.depth > 0.0)
         {
-          this->colours[at] = glm::packUnorm4x8(glm::vec4(1.0f));
+          this->colors[at] = glm::packUnorm4x8(glm::vec4(1.0f));
           this->depths[at] = static_cast<float>(
             this->camera.depthA + (parallel ? this->camera.depthB * seen.depth : this->camera.depthB / seen.depth));
           this->sets[at] = 0;
@@ -58,7 +58,7 @@ protected:
     }
     this->image.width = side;
     this->image.height = rows;
-    this->image.colour = this->colours.data();
+    this->image.color = this->colors.data();
     this->image.depth = this->depths.data();
     this->image.setIds = this->sets.data();
     this->image.glyphIds = this->glyphs.data();
@@ -74,9 +74,9 @@ protected:
     for (std::uint32_t column = 0; column < this->side; ++column)
     {
       const std::size_t at = std::size_t(rows) / 2 * this->side + column;
-      const glm::vec4 colour = glm::unpackUnorm4x8(result.colours[at]);
-      const bool hit = this->colours[at] != 0;
-      line.push_back(hit ? 1.0 - colour.r : colour.a);
+      const glm::vec4 color = glm::unpackUnorm4x8(result.colors[at]);
+      const bool hit = this->colors[at] != 0;
+      line.push_back(hit ? 1.0 - color.r : color.a);
     }
     return line;
   }
@@ -85,7 +85,7 @@ protected:
   rtg::Camera camera;
   rtg::GlyphPath path;
   std::uint32_t side = 0;
-  std::vector<std::uint32_t> colours, sets, glyphs;
+  std::vector<std::uint32_t> colors, sets, glyphs;
   std::vector<float> depths;
   Image image;
 };
@@ -119,12 +119,12 @@ TEST_P(SilhouetteTest, SilhouettesAreAsWideInEveryImage)
       EXPECT_NEAR(std::accumulate(line.begin(), middle, 0.0), width, 0.5) << width;
       EXPECT_NEAR(std::accumulate(middle, line.end(), 0.0), width, 0.5) << width;
       const double edge = 0.5 * this->side * (1.0 - radius); // in pixels
-      double centre = 0.0;
+      double center = 0.0;
       for (std::uint32_t i = 0; i < this->side / 2; ++i)
       {
-        centre += (i + 0.5) * line[i] / std::accumulate(line.begin(), middle, 0.0);
+        center += (i + 0.5) * line[i] / std::accumulate(line.begin(), middle, 0.0);
       }
-      EXPECT_NEAR(centre, edge, 0.6) << width;
+      EXPECT_NEAR(center, edge, 0.6) << width;
       const auto reach = static_cast<std::uint32_t>(edge + width + 2.0);
       EXPECT_EQ(std::accumulate(line.begin() + reach, line.end() - reach, 0.0), 0.0) << width;
     }
@@ -169,9 +169,9 @@ TEST_F(ScreenEffectsTest, SmallGlyphsHaveFaintLines)
         return Seen{ (column + row) % 2 == 0 ? 4.0 : 4.5, 256 * row + column };
       });
     double covered = 0.0;
-    for (const std::uint32_t colour : this->Apply().colours)
+    for (const std::uint32_t color : this->Apply().colors)
     {
-      covered += (1.0 - glm::unpackUnorm4x8(colour).r) / (256.0 * rows);
+      covered += (1.0 - glm::unpackUnorm4x8(color).r) / (256.0 * rows);
     }
     EXPECT_LT(covered, 0.13) << length;
     EXPECT_GT(covered, length > 1 ? 0.04 : 0.02) << length;
@@ -218,15 +218,15 @@ TEST_F(ScreenEffectsTest, NoLinesWhereGlyphsAreBlurred)
 TEST_F(ScreenEffectsTest, LinesHaveDepth)
 {
   this->effects.outlineWidth = 4.0f;
-  this->effects.outlineColour = { 1.0f, 0.0f, 0.0f };
+  this->effects.outlineColor = { 1.0f, 0.0f, 0.0f };
   this->Make(64, [](double x, double) { return Seen{ x < 0.0 ? 4.0 : 0.0, 0 }; });
   const rtg::EffectImage result = this->Apply();
   const std::size_t row = 64 * rows / 2;
-  EXPECT_EQ(result.colours[row + 32], glm::packUnorm4x8(glm::vec4(1, 0, 0, 1)));
+  EXPECT_EQ(result.colors[row + 32], glm::packUnorm4x8(glm::vec4(1, 0, 0, 1)));
   EXPECT_EQ(result.depths[row + 32], this->depths[row + 31]);
   EXPECT_EQ(result.depths[row + 40], 1.0f);
-  EXPECT_EQ(result.colours[row + 40], 0u);
-  EXPECT_EQ(result.colours[row + 10], this->colours[row + 10]);
+  EXPECT_EQ(result.colors[row + 40], 0u);
+  EXPECT_EQ(result.colors[row + 10], this->colors[row + 10]);
 }
 
 // What is half-way between the planes loses half of what the farthest loses.
@@ -247,9 +247,9 @@ TEST_F(ScreenEffectsTest, DepthCueGrowsWithDistance)
     for (std::size_t column = 0; column < 100; ++column)
     {
       const double share = glm::clamp((4.0 + 1.5 * (2.0 * (column + 0.5) / 100.0 - 1.0) - 3.0) / 2.0, 0.0, 1.0);
-      const glm::vec4 colour = glm::unpackUnorm4x8(result.colours[rows / 2 * 100 + column]);
-      EXPECT_NEAR(colour.a, 1.0 - 0.8 * share, 0.003);
-      EXPECT_EQ(colour.r, 1.0f);
+      const glm::vec4 color = glm::unpackUnorm4x8(result.colors[rows / 2 * 100 + column]);
+      EXPECT_NEAR(color.a, 1.0 - 0.8 * share, 0.003);
+      EXPECT_EQ(color.r, 1.0f);
     }
   }
 }

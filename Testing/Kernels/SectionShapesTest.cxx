@@ -149,9 +149,9 @@ protected:
     {
       section.planes = BoxPlanes(near(), this->Axes(), 0.25 * size * (glm::abs(this->Vector()) + 0.3));
     }
-    const HardRay& towards = inside.front();
+    const HardRay& toward = inside.front();
     const glm::dvec3 normal = 3.0 * this->Vector();
-    sections[0].planes = { { towards.origin, glm::faceforward(normal, -normal, glm::dvec3(towards.direction)) } };
+    sections[0].planes = { { toward.origin, glm::faceforward(normal, -normal, glm::dvec3(toward.direction)) } };
     sections[1].planes = { { near(), this->Vector() }, { near(), this->Vector() }, { near(), this->Vector() } };
     sections[1].keepsInside = true;
     sections[3].keepsInside = true;
@@ -167,7 +167,7 @@ protected:
     rtg::GlyphInstances one = instances;
     const auto keep = [&](auto& values)
     { values = values.empty() ? values : std::decay_t<decltype(values)>{ values[i] }; };
-    keep(one.centres);
+    keep(one.centers);
     keep(one.sizes1);
     keep(one.sizes3);
     keep(one.rotations);
@@ -229,14 +229,14 @@ protected:
       }
     }
     ASSERT_FALSE(inside.empty());
-    const glm::dvec3 centre(one.centres[0]);
+    const glm::dvec3 center(one.centers[0]);
     for (const Section& section : this->Sections(inside, size))
     {
       Section atRest = section;
       atRest.moves = moves;
       for (Section::Plane& plane : atRest.planes)
       {
-        plane.point = hard.instances.origin + centre + glm::conjugate(turn) * (plane.point - centre);
+        plane.point = hard.instances.origin + center + glm::conjugate(turn) * (plane.point - center);
         plane.normal = glm::conjugate(turn) * plane.normal;
       }
       this->scene.SetMaterial(set, CutBy(atRest));

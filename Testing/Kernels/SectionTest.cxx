@@ -67,7 +67,7 @@ TEST_P(SectionTest, NothingCutIsNothingChanged)
         this->scene.SetMaterial(balls, CutBy(cut ? beside : Section()));
         this->scene.SetMaterial(thin, CutBy(cut ? beside : Section(), half));
         const Image image = this->Trace(pass);
-        pictures[cut].assign(image.colour, image.colour + std::size_t(image.width) * image.height);
+        pictures[cut].assign(image.color, image.color + std::size_t(image.width) * image.height);
       }
       EXPECT_EQ(pictures[0], pictures[1]) << "shading " << int(shading) << ", pass " << int(pass);
       EXPECT_TRUE(builds == 0 || builds == this->scene.GetStatistics().structureBuilds);
@@ -79,7 +79,7 @@ TEST_P(SectionTest, NothingCutIsNothingChanged)
 TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
 {
   rtg::Material red;
-  red.colour = { 1.0f, 0.0f, 0.0f };
+  red.color = { 1.0f, 0.0f, 0.0f };
   const auto set =
     this->Add(Shape::Sphere, { { -0.5f, 0, 0 }, { 0.5f, 0, 0.1f } }, { glm::vec3(0.8f), glm::vec3(0.8f) }, red);
   this->settings.width = this->settings.height = 200;
@@ -101,23 +101,23 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
         continue;
       }
       ++caps;
-      const glm::vec3 colour = ball ? right : left;
-      const glm::uvec3 bytes(255.0f * colour + 0.5f);
+      const glm::vec3 color = ball ? right : left;
+      const glm::uvec3 bytes(255.0f * color + 0.5f);
       const std::uint32_t wanted = bytes.x | bytes.y << 8 | bytes.z << 16 | 255u << 24;
-      wrong += image.colour[i] != wanted || image.setIds[i] != set ||
+      wrong += image.color[i] != wanted || image.setIds[i] != set ||
         this->scene.OriginalGlyph(set, image.glyphIds[i]) != std::uint32_t(ball) ||
         std::abs(image.depth[i] - (4.9 - 0.01) / (20.0 - 0.01)) > 1e-6;
     }
     EXPECT_GT(caps, 9000u);
     EXPECT_EQ(wrong, 0u) << "of " << caps;
   };
-  expect(red.colour, red.colour);
-  this->scene.SetColours(set, rtg::GlyphColours({ 0xff00ff00u, 0xffff0000u }));
+  expect(red.color, red.color);
+  this->scene.SetColors(set, rtg::GlyphColors({ 0xff00ff00u, 0xffff0000u }));
   expect({ 0, 1, 0 }, { 0, 0, 1 });
-  section.capColour = glm::vec3(1.0f, 1.0f, 0.0f);
+  section.capColor = glm::vec3(1.0f, 1.0f, 0.0f);
   expect({ 1, 1, 0 }, { 1, 1, 0 });
   // Also where the ambient color of the glyphs is another one.
-  this->scene.SetColours(set, {});
+  this->scene.SetColors(set, {});
   red.ambient = 1.0f;
   red.diffuse = 0.0f;
   expect({ 1, 1, 0 }, { 1, 1, 0 });
@@ -131,8 +131,8 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
 
 TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
 {
-  const auto centres = Clutter(9, 200);
-  const auto set = this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(200, glm::vec3(0.1f)), White());
+  const auto centers = Clutter(9, 200);
+  const auto set = this->Add(Shape::Sphere, centers, std::vector<glm::vec3>(200, glm::vec3(0.1f)), White());
   for (const bool keepsInside : { false, true })
   {
     Section section;
@@ -144,7 +144,7 @@ TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
     std::size_t left = 0;
     for (std::uint32_t i = 0; i < 200; ++i)
     {
-      const glm::vec3 c = centres[i];
+      const glm::vec3 c = centers[i];
       const bool inside = std::abs(c.x - 0.1f) < 0.6f && std::abs(c.y) < 0.6f && std::abs(c.z) < 0.6f;
       // From next to the shell, inwards: nothing else is nearer.
       const auto hit = rtg::testing::TraceProbes(this->scene, { { c + glm::vec3(0, 0, 0.0501f), { 0, 0, -1 } } })[0];
@@ -213,7 +213,7 @@ TEST_P(SectionTest, TranslucentGlyphsHaveCapsAsLayers)
     rtg::GlyphInstances instances;
     instances.shape = shape;
     instances.mesh = Share(BoxMesh());
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     if (moves)
     {
       instances.motion.velocities = { { 0.0f, 0.0f, 1.0f } };
@@ -255,7 +255,7 @@ TEST_P(SectionTest, MovingGlyphsPassTheCutOrTakeItAlong)
     rtg::GlyphInstances instances;
     instances.shape = shape;
     instances.mesh = Share(BoxMesh());
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.motion.velocities = { { 0.0f, 0.0f, 1.0f } };
     instances.motion.shutterOpen = -1.0f;
     instances.motion.shutterClose = 1.0f;
@@ -295,7 +295,7 @@ TEST_P(SectionTest, ClosedMeshesHaveCaps)
   rtg::GlyphInstances instances;
   instances.shape = Shape::Mesh;
   instances.identifyTriangles = true;
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   const auto set = this->scene.Add();
   const auto probe = [&](const rtg::TriangleMesh& source, const Section& section)
   {
@@ -357,7 +357,7 @@ TEST_P(SectionTest, LinesHaveOneCap)
     const glm::dquat turn = glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
     const auto end = [&](std::size_t at)
     { return glm::vec4(glm::vec3(glm::conjugate(turn) * (points[at] - middle)), float(radius)); };
-    instances.centres.emplace_back(middle);
+    instances.centers.emplace_back(middle);
     instances.sizes3.emplace_back(glm::length(way), 2 * radius, 2 * radius);
     instances.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
     instances.before.push_back(i > 0 ? end(i - 1) : glm::vec4(0.0f));

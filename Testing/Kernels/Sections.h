@@ -9,14 +9,14 @@ namespace rtg::testing
 {
 
 /// The planes of a box with that center and those half extents along a rotation's columns.
-inline std::vector<Section::Plane> BoxPlanes(const glm::dvec3& centre, const glm::dmat3& axes, const glm::dvec3& half)
+inline std::vector<Section::Plane> BoxPlanes(const glm::dvec3& center, const glm::dmat3& axes, const glm::dvec3& half)
 {
   std::vector<Section::Plane> planes;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const double side : { -1.0, 1.0 })
     {
-      planes.push_back({ centre + side * half[axis] * axes[axis], side * axes[axis] });
+      planes.push_back({ center + side * half[axis] * axes[axis], side * axes[axis] });
     }
   }
   return planes;

@@ -232,7 +232,7 @@ TEST_F(ShadowTest, GroundCatchesShadows)
             16.0;
         }
         expected *= shading == Shading::Local ? 0.5 : 1.0; // half of its light comes from elsewhere
-        const glm::vec4 shown = glm::unpackUnorm4x8(image.colour[x]);
+        const glm::vec4 shown = glm::unpackUnorm4x8(image.color[x]);
         const double white = 1.0 - shown.a;
         const double light =
           shading == Shading::Local ? white : rtg::shading::DisplayToLinear(glm::vec3(static_cast<float>(white))).x;
@@ -247,7 +247,7 @@ TEST_F(ShadowTest, GroundCatchesShadows)
   // From below, and over the horizon, there is none.
   this->camera = this->LookFrom({ 0, -3, 0.1 }, { 5, 0, 0 });
   const Image image = this->Trace();
-  EXPECT_EQ(std::count(image.colour, image.colour + image.width * image.height, 0u), image.width * image.height);
+  EXPECT_EQ(std::count(image.color, image.color + image.width * image.height, 0u), image.width * image.height);
 }
 
 // Glyphs look the same with and without a ground below them, and their edges hide it.
@@ -263,7 +263,7 @@ TEST_F(ShadowTest, GroundChangesNoGlyph)
     this->settings.groundNormal = glm::vec3(0.0f);
     Image image = this->Trace();
     const std::vector<glm::vec4> without = this->tracer.Means();
-    const std::vector<std::uint32_t> before(image.colour, image.colour + without.size());
+    const std::vector<std::uint32_t> before(image.color, image.color + without.size());
     this->settings.groundNormal = { 0, 1, 0 };
     image = this->Trace();
     EXPECT_EQ(this->tracer.Means(), without);
@@ -271,7 +271,7 @@ TEST_F(ShadowTest, GroundChangesNoGlyph)
     for (std::size_t i = 0; i < without.size(); ++i)
     {
       // Over any background as much of the glyph's color shows, but for 8 bits.
-      const glm::vec4 was = glm::unpackUnorm4x8(before[i]), is = glm::unpackUnorm4x8(image.colour[i]);
+      const glm::vec4 was = glm::unpackUnorm4x8(before[i]), is = glm::unpackUnorm4x8(image.color[i]);
       EXPECT_GE(is.a, was.a);
       EXPECT_LT(glm::distance(is.a * glm::vec3(is), was.a * glm::vec3(was)), 0.01f);
       caught += is.a > was.a;

@@ -70,7 +70,7 @@ TEST_P(ShapeBoundsTest, HoldTheSurface)
       Kernel::GlyphBounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
       // Tight but for rounding: what the scene pads by.
       const glm::vec3 size(float(reference.Size()));
-      const glm::vec3 pad = 4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
+      const glm::vec3 pad = 4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centers[i]) + size);
       for (const HardRay& ray : hard.rays)
       {
         if (ray.glyph != i)

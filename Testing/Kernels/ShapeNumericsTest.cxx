@@ -70,11 +70,11 @@ INSTANTIATE_TEST_SUITE_P(Shapes, NestedNumericsTest, ::testing::ValuesIn(NestedS
 
 /// One ray at one nested superquadric; size and rotation as the glyph's arrays have them.
 CaseReport ReportOfNested(
-  glm::vec3 centre, glm::vec3 size, glm::vec4 rotation, glm::vec3 exponents, glm::dvec3 origin, glm::vec3 direction)
+  glm::vec3 center, glm::vec3 size, glm::vec4 rotation, glm::vec3 exponents, glm::dvec3 origin, glm::vec3 direction)
 {
   HardCase hard;
   hard.instances.shape = rtg::Shape::NestedSuperquadric;
-  hard.instances.centres = { centre };
+  hard.instances.centers = { center };
   hard.instances.sizes3 = { size };
   hard.instances.rotations = { rotation };
   hard.instances.exponents3 = { exponents };
@@ -85,9 +85,9 @@ CaseReport ReportOfNested(
 
 /// The ray hits, and t keeps the bound.
 void ExpectHitOfNested(
-  glm::vec3 centre, glm::vec3 size, glm::vec4 rotation, glm::vec3 exponents, glm::dvec3 origin, glm::vec3 direction)
+  glm::vec3 center, glm::vec3 size, glm::vec4 rotation, glm::vec3 exponents, glm::dvec3 origin, glm::vec3 direction)
 {
-  const CaseReport report = ReportOfNested(centre, size, rotation, exponents, origin, direction);
+  const CaseReport report = ReportOfNested(center, size, rotation, exponents, origin, direction);
   EXPECT_EQ(report.compared, 1u);
   EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
 }
@@ -166,7 +166,7 @@ TEST(TinyHeadsTest, RimsAreKeptToTheirSize)
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   HardCase hard;
   hard.instances.shape = rtg::Shape::Arrow;
-  hard.instances.centres = { glm::vec3(0.0f) };
+  hard.instances.centers = { glm::vec3(0.0f) };
   hard.instances.sizes3 = { { 1.0f, 1.0f, 1.0f } };
   hard.instances.rotations = { glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f)) };
   hard.instances.arrow.shaftRadius = 0.0f;
@@ -199,7 +199,7 @@ TEST(FlatRimsTest, NormalsKeepTheBound)
   {
     HardCase hard;
     hard.instances.shape = shape;
-    hard.instances.centres = { glm::vec3(0.0f) };
+    hard.instances.centers = { glm::vec3(0.0f) };
     hard.instances.sizes3 = { { 1.0f, 1.0f, 1e-4f } };
     hard.instances.rotations = { glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f)) };
     const auto glyph = KernelGlyph<double>(hard.instances, 0);

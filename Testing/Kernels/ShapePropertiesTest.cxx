@@ -117,7 +117,7 @@ TEST_P(ShapePropertiesTest, ScaleByPowersOfTwo)
         auto scaledGlyph = glyph;
         scaledRay.origin *= scale;
         scaledRay.originLow *= scale;
-        scaledGlyph.centre *= scale;
+        scaledGlyph.center *= scale;
         scaledGlyph.size *= scale;
         scaledGlyph.unitLength *= scale;
         float scaled = 0;
@@ -146,7 +146,7 @@ TEST_P(ShapePropertiesTest, MoveTogether)
         }
       };
       move(ray.origin, ray.originLow);
-      move(glyph.centre, glyph.centreLow);
+      move(glyph.center, glyph.centerLow);
       float moved = 0;
       ASSERT_TRUE(this->Hit(ray, glyph, moved));
       EXPECT_NEAR(moved, t, 2e-7f * t);

@@ -89,7 +89,7 @@ public:
     ends[1] = { way, situation.kind == Situation::Alike ? ends[0].matrix : this->Tensor(situation, true) };
     rtg::GlyphInstances glyphs;
     glyphs.shape = rtg::Shape::SweptEllipsoid;
-    glyphs.centres.resize(1);
+    glyphs.centers.resize(1);
     glyphs.sizes3.resize(1);
     glyphs.rotations.resize(1);
     glyphs.before.resize(1);
@@ -108,7 +108,7 @@ class Reference
 {
 public:
   explicit Reference(const rtg::GlyphInstances& glyphs)
-    : centre_(glyphs.centres[0])
+    : center_(glyphs.centers[0])
   {
     const glm::vec4 after = glyphs.after[0];
     const Vector size(glyphs.sizes3[0]);
@@ -130,13 +130,13 @@ public:
   glm::dvec3 Point(Long height, const glm::dvec3& v) const
   {
     return glm::dvec3(
-      this->centre_ + this->frame_ * (height * this->way_ + glm::sqrt(this->Squares(height)) * Vector(v)));
+      this->center_ + this->frame_ * (height * this->way_ + glm::sqrt(this->Squares(height)) * Vector(v)));
   }
 
   /// Whether the line enters, how deep it goes (0: it touches, 1: through the middle), where, and the normal there.
   bool Enter(const Vector& origin, const Vector& direction, Long& depth, Long& s, Vector& normal)
   {
-    this->o_ = this->back_ * (origin - this->centre_);
+    this->o_ = this->back_ * (origin - this->center_);
     this->d_ = this->back_ * direction;
     const Long deepest = this->Least(-1, 1, [&](Long height) { return this->At(height).excess; });
     depth = -this->At(deepest).excess;
@@ -226,7 +226,7 @@ private:
     return this->At(outside).excess > 0 ? inside : outside;
   }
 
-  Vector centre_, growth_, way_, o_, d_;
+  Vector center_, growth_, way_, o_, d_;
   Matrix frame_, back_;
 };
 

@@ -62,10 +62,10 @@ struct Subject
   /// in that of `other`. A knife's edge that has turned a little is far along any fixed line.
   double Distance(const glm::dvec3& point, const glm::dvec3& direction, const Subject& other) const
   {
-    double distance = glm::distance(point, this->Towards(point));
+    double distance = glm::distance(point, this->Toward(point));
     if (distance > 1e-5)
     {
-      distance = std::min(distance, glm::distance(point, this->Towards(this->Counterpart(point, other))));
+      distance = std::min(distance, glm::distance(point, this->Toward(this->Counterpart(point, other))));
     }
     double t = 0.0;
     for (const double sign : { 1.0, -1.0 })
@@ -80,7 +80,7 @@ struct Subject
 
 private:
   /// The surface's point in the direction of `point` from the center.
-  glm::dvec3 Towards(const glm::dvec3& point) const
+  glm::dvec3 Toward(const glm::dvec3& point) const
   {
     const glm::dvec3 direction = glm::normalize(point);
     double t = 0.0;
@@ -118,14 +118,14 @@ private:
 
 /// The rays of a small image in parallel projection, from a direction that is no glyph's axis.
 constexpr int side = 6;
-const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.48, 0.36, -0.8));
+const glm::dvec3 toward = glm::normalize(glm::dvec3(-0.48, 0.36, -0.8));
 
 glm::dvec3 Origin(int pixel)
 {
-  const glm::dvec3 right = glm::normalize(glm::cross(towards, glm::dvec3(0, 1, 0)));
-  const glm::dvec3 up = glm::cross(right, towards);
+  const glm::dvec3 right = glm::normalize(glm::cross(toward, glm::dvec3(0, 1, 0)));
+  const glm::dvec3 up = glm::cross(right, toward);
   const double x = (pixel % side + 0.5) / side - 0.5, y = (pixel / side + 0.5) / side - 0.5;
-  return 1.1 * (x * right + y * up) - 2.0 * towards;
+  return 1.1 * (x * right + y * up) - 2.0 * toward;
 }
 
 /// The largest distance of what the image of one glyph shows from the surface of the other. Where an eigenvalue is zero
@@ -139,9 +139,9 @@ double ImageChange(const Subject& a, const Subject& b)
   {
     const glm::dvec3 origin = Origin(pixel);
     double t = 0.0;
-    if (b.Hit(origin, towards, t))
+    if (b.Hit(origin, toward, t))
     {
-      change = std::max(change, -0.5 * thickness + a.Distance(origin + t * towards, b.Normal(origin, towards, t), b));
+      change = std::max(change, -0.5 * thickness + a.Distance(origin + t * toward, b.Normal(origin, toward, t), b));
     }
   }
   return change;
@@ -212,12 +212,12 @@ TEST(TensorImageTest, ImagesTurnWithTheirTensors)
         {
           const glm::dvec3 origin = Origin(pixel);
           double t = 0.0, other = 0.0;
-          const bool hit = still.Hit(origin, towards, t);
-          const bool same = turned.Hit(turn * origin, turn * towards, other);
+          const bool hit = still.Hit(origin, toward, t);
+          const bool same = turned.Hit(turn * origin, turn * toward, other);
           hits += hit;
           // Rounding may decide on rays that graze: those that meet the surface at less than 10 degrees do not count.
-          const glm::dvec3 normal = hit ? still.Normal(origin, towards, t) : glm::dvec3(0.0);
-          if (hit && -glm::dot(normal, towards) > 0.17)
+          const glm::dvec3 normal = hit ? still.Normal(origin, toward, t) : glm::dvec3(0.0);
+          if (hit && -glm::dot(normal, toward) > 0.17)
           {
             ++judged;
             ASSERT_TRUE(same) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' ' << values.y << ' '

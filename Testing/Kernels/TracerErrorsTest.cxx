@@ -24,7 +24,7 @@ TEST_F(TracerTest, SetsThatAreNotThereAreNamed)
     }
   };
   refused([&] { this->scene.SetInstances(77, {}); });
-  refused([&] { this->scene.SetColours(77, {}); });
+  refused([&] { this->scene.SetColors(77, {}); });
   refused([&] { this->scene.SetMaterial(77, {}); });
   refused([&] { this->scene.SetVisible(77, false); });
   refused([&] { this->scene.GlyphCount(77); });
@@ -52,7 +52,7 @@ TEST_F(TracerTest, BadSettingsAreNamed)
   this->settings.samples = 1;
   this->settings.width = 100000;
   EXPECT_THROW(this->Trace(), rtg::Error);
-  EXPECT_THROW(this->scene.SetColours(0, std::vector<std::uint32_t>(7, 0u)), rtg::Error);
+  EXPECT_THROW(this->scene.SetColors(0, std::vector<std::uint32_t>(7, 0u)), rtg::Error);
 }
 
 TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
@@ -61,7 +61,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   {
     rtg::GlyphInstances instances;
     instances.shape = rtg::Shape::Superquadric;
-    instances.centres = RandomPoints(4);
+    instances.centers = RandomPoints(4);
     change(instances);
     const auto id = this->scene.Add();
     const std::string refusal = rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
@@ -75,7 +75,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
   names("5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
   names("3 sizes for 4 glyphs", [](auto& i) { i.sizes1.resize(3, 1.0f); });
-  names("7 low parts of centers for 4 glyphs", [](auto& i) { i.centresLow.resize(7); });
+  names("7 low parts of centers for 4 glyphs", [](auto& i) { i.centersLow.resize(7); });
   names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });
   names("8 exponents for 4 glyphs", [](auto& i) { i.exponents3.resize(8, glm::vec3(2.0f)); });
   names("2 quadratic forms for 4 glyphs", [](auto& i) { i.forms.resize(2); });
@@ -94,15 +94,15 @@ TEST_F(TracerTest, GlyphsThatAreNoneAreNamed)
   const auto message = [this, id](const auto& change)
   {
     rtg::GlyphInstances instances;
-    instances.centres = RandomPoints(4);
+    instances.centers = RandomPoints(4);
     change(instances);
     return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   const auto names = [&](const std::string& what, const auto& change)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
   using rtg::Shape;
-  names("centers is (nan, 0, 0)", [](auto& i) { i.centres[2] = { NAN, 0.0f, 0.0f }; });
-  names("low parts of centers is (0, inf, 0)", [](auto& i) { i.centresLow.resize(4), i.centresLow[3].y = INFINITY; });
+  names("centers is (nan, 0, 0)", [](auto& i) { i.centers[2] = { NAN, 0.0f, 0.0f }; });
+  names("low parts of centers is (0, inf, 0)", [](auto& i) { i.centersLow.resize(4), i.centersLow[3].y = INFINITY; });
   names("rotations is (0, 0, 0, nan)", [](auto& i) { i.rotations.resize(4, glm::vec4(0, 0, 0, NAN)); });
   names("sizes is -1", [](auto& i) { i.sizes1 = { 1.0f, 2.0f, -1.0f, 0.0f }; });
   names("sizes along three axes is (1, 0, 1)", [](auto& i) { i.sizes3.resize(4, { 1.0f, 0.0f, 1.0f }); });
@@ -113,14 +113,14 @@ TEST_F(TracerTest, GlyphsThatAreNoneAreNamed)
     [](auto& i) {
       i.shape = Shape::Superquadric, i.exponents3.resize(4, { 2.0f, 2.0f, 0.0f });
     });
-  names("sign of a polynomial", [](auto& i) { i.surfaceColours = rtg::GlyphInstances::SurfaceColours::Sign; });
+  names("sign of a polynomial", [](auto& i) { i.surfaceColors = rtg::GlyphInstances::SurfaceColors::Sign; });
   // A table's last two colors are not those of numbers.
   for (const std::size_t size : { 1, 2 })
   {
-    rtg::GlyphColours colours;
-    colours.ends.resize(4);
-    colours.table.resize(size);
-    EXPECT_THROW(this->scene.SetColours(id, colours), rtg::Error);
+    rtg::GlyphColors colors;
+    colors.ends.resize(4);
+    colors.table.resize(size);
+    EXPECT_THROW(this->scene.SetColors(id, colors), rtg::Error);
   }
   rtg::TriangleMesh mesh = BoxMesh();
   mesh.positions[3].z = NAN;
@@ -179,12 +179,12 @@ TEST_F(TracerTest, MoreThanIndicesCountIsNamed)
   const auto message = [this, id](const rtg::GlyphInstances& instances)
   { return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); }); };
   rtg::GlyphInstances instances;
-  instances.centres = RandomPoints(30);
+  instances.centers = RandomPoints(30);
   EXPECT_EQ(message(instances), "");
-  instances.centres = RandomPoints(31);
+  instances.centers = RandomPoints(31);
   EXPECT_NE(message(instances).find("31 glyphs; the most that one can hold is 30"), std::string::npos);
   // Three corners a triangle.
-  instances.centres.resize(1);
+  instances.centers.resize(1);
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(BoxMesh());
   EXPECT_NE(message(instances).find("12 triangles; the most that one can have is 10"), std::string::npos);
@@ -193,7 +193,7 @@ TEST_F(TracerTest, MoreThanIndicesCountIsNamed)
   // The colors of a mesh's values lie behind these.
   rtg::TriangleMesh mesh = BoxMesh();
   mesh.positionValues.resize(8);
-  mesh.valueColours.resize(29);
+  mesh.valueColors.resize(29);
   instances.mesh = Share(mesh);
   EXPECT_NE(message(instances).find("8 positions; the most that one can have is 7"), std::string::npos);
 }
@@ -206,7 +206,7 @@ TEST_F(TracerTest, AnotherScenesImageIsNotGoneOnWith)
   {
     auto made = std::make_unique<rtg::Scene>(this->device);
     rtg::GlyphInstances spheres;
-    spheres.centres = { glm::vec3(0.0f) };
+    spheres.centers = { glm::vec3(0.0f) };
     made->SetInstances(made->Add(), std::move(spheres));
     made->Commit();
     return made;

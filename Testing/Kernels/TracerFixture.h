@@ -47,11 +47,11 @@ protected:
 
   static glm::dmat4 LookFrom(double z) { return glm::lookAt(glm::dvec3(0, 0, z), glm::dvec3(0), glm::dvec3(0, 1, 0)); }
 
-  rtg::Scene::SetId AddSpheres(const std::vector<glm::vec3>& centres, float size)
+  rtg::Scene::SetId AddSpheres(const std::vector<glm::vec3>& centers, float size)
   {
     const auto id = this->scene.Add();
     rtg::GlyphInstances instances;
-    instances.centres = centres;
+    instances.centers = centers;
     instances.uniformSize = size;
     this->scene.SetInstances(id, instances);
     return id;
@@ -68,7 +68,7 @@ protected:
     double sum = 0.0;
     for (std::size_t i = 0; i < std::size_t(image.width) * image.height; ++i)
     {
-      sum += (image.colour[i] >> 24) / 255.0;
+      sum += (image.color[i] >> 24) / 255.0;
     }
     return sum / (double(image.width) * image.height);
   }

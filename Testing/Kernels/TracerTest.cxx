@@ -22,7 +22,7 @@ TEST(LaunchGrid, HasRoomForAllTilesAndNearlyNoMore)
   }
 }
 
-TEST_P(StructureTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
+TEST_P(StructureTest, SphereCoversExactlyThePixelsWhoseCentersItCovers)
 {
   this->AddSpheres({ { 0.1f, -0.2f, 0.0f } }, 1.0f);
   const Image image = this->Trace();
@@ -59,7 +59,7 @@ TEST_P(StructureTest, ExponentsFollowTheirGlyphs)
   std::uniform_real_distribution<float> logarithm(std::log(0.3f), std::log(20.0f));
   for (int i = 0; i < side * side; ++i)
   {
-    instances.centres.emplace_back(-1.0f + cell * (i % side + 0.5f), -1.0f + cell * (i / side + 0.5f), 0.0f);
+    instances.centers.emplace_back(-1.0f + cell * (i % side + 0.5f), -1.0f + cell * (i / side + 0.5f), 0.0f);
     instances.exponents3.emplace_back(
       std::exp(logarithm(random)), std::exp(logarithm(random)), std::exp(logarithm(random)));
   }
@@ -82,8 +82,8 @@ TEST_P(StructureTest, ExponentsFollowTheirGlyphs)
       const int glyph = int((py + 1.0) / cell) * side + int((px + 1.0) / cell);
       const glm::dvec3 e(uniform ? instances.uniformExponents : own[glyph]);
       const double halfSize = 0.5 * instances.uniformSize;
-      const double x = std::abs(px - instances.centres[glyph].x) / halfSize;
-      const double y = std::abs(py - instances.centres[glyph].y) / halfSize;
+      const double x = std::abs(px - instances.centers[glyph].x) / halfSize;
+      const double y = std::abs(py - instances.centers[glyph].y) / halfSize;
       const double value = std::pow(x, e.x) + std::pow(y, e.y);
       if (std::abs(value - 1.0) < 1e-3)
       {
@@ -121,7 +121,7 @@ double Spread(const Image& image)
   {
     for (std::uint32_t x = 0; x < image.width; ++x)
     {
-      const double alpha = (image.colour[y * image.width + x] >> 24) / 255.0;
+      const double alpha = (image.color[y * image.width + x] >> 24) / 255.0;
       const double dx = x + 0.5 - 0.5 * image.width, dy = y + 0.5 - 0.5 * image.height;
       sum += alpha;
       squares += alpha * 0.5 * (dx * dx + dy * dy);
@@ -145,7 +145,7 @@ TEST_F(TracerTest, LensBlursWhatIsOutOfFocusAndNothingElse)
     const auto spreadAt = [&](float z, double radius)
     {
       rtg::GlyphInstances instances;
-      instances.centres = { { 0, 0, z } };
+      instances.centers = { { 0, 0, z } };
       instances.uniformSize = 0.3f;
       this->scene.SetInstances(id, instances);
       this->camera = pinhole;
@@ -165,9 +165,9 @@ TEST_F(TracerTest, LensBlursWhatIsOutOfFocusAndNothingElse)
     this->settings.samples = 1;
     spreadAt(-10.0f, 0.5);
     const Image first = this->Trace(pass);
-    const std::vector<std::uint32_t> colours(first.colour, first.colour + 100 * 100);
+    const std::vector<std::uint32_t> colors(first.color, first.color + 100 * 100);
     spreadAt(-10.0f, 0.0);
-    EXPECT_TRUE(std::equal(colours.begin(), colours.end(), this->Trace(pass).colour));
+    EXPECT_TRUE(std::equal(colors.begin(), colors.end(), this->Trace(pass).color));
   }
 }
 
@@ -177,7 +177,7 @@ TEST_F(TracerTest, AnEdgeCoversThePixelAlsoOfManySamples)
   const float edge = (33.0f + 0.01f) / 64.0f;
   rtg::GlyphInstances upright;
   upright.shape = rtg::Shape::Cylinder;
-  upright.centres = { glm::vec3(2.0f * edge - 1.0f - 2.0f, 0.0f, 0.0f) };
+  upright.centers = { glm::vec3(2.0f * edge - 1.0f - 2.0f, 0.0f, 0.0f) };
   upright.uniformSize = 4.0f;
   this->scene.SetInstances(this->scene.Add(), std::move(upright));
   this->settings.width = this->settings.height = 1;
@@ -197,7 +197,7 @@ TEST_F(TracerTest, AMeanOfManySamplesIsTheMean)
 {
   const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 4.0f);
   rtg::Material material;
-  material.colour = { 0.51f, 0.7f, 0.3f };
+  material.color = { 0.51f, 0.7f, 0.3f };
   material.lighting = false;
   this->scene.SetMaterial(id, material);
   this->settings.width = this->settings.height = 1;
@@ -235,20 +235,20 @@ TEST_F(TracerTest, EndlessLightIsWhite)
   const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 4.0f);
   rtg::Material material;
   material.ambient = 1.0f;
-  material.ambientColour = glm::vec3(1e16f); // which is above 1e38 in linear light
+  material.ambientColor = glm::vec3(1e16f); // which is above 1e38 in linear light
   this->scene.SetMaterial(id, material);
   this->settings.width = this->settings.height = 1;
   this->settings.shading = rtg::Shading::PathTracing;
   this->settings.samples = 64;
-  EXPECT_EQ(this->Trace().colour[0], 0xffffffffu);
+  EXPECT_EQ(this->Trace().color[0], 0xffffffffu);
 }
 
 TEST_P(StructureTest, HeadlightShadesAsVtkDoes)
 {
   const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.8f);
   rtg::Material material;
-  material.colour = { 0.8f, 0.4f, 0.2f };
-  material.ambientColour = { 0.2f, 0.9f, 1.0f };
+  material.color = { 0.8f, 0.4f, 0.2f };
+  material.ambientColor = { 0.2f, 0.9f, 1.0f };
   material.ambient = 0.1f;
   material.diffuse = 0.7f;
   material.specular = 0.3f;
@@ -260,32 +260,32 @@ TEST_P(StructureTest, HeadlightShadesAsVtkDoes)
     const double dx = (x + 0.5) / 50.0 - 1.0;
     const double dy = 0.5 / 50.0;
     const double nz = std::sqrt(1.0 - (dx * dx + dy * dy) / 0.81);
-    const std::uint32_t colour = image.colour[50 * 100 + x];
+    const std::uint32_t color = image.color[50 * 100 + x];
     for (int channel = 0; channel < 3; ++channel)
     {
       const double expected =
-        material.ambientColour[channel] * 0.1 + material.colour[channel] * 0.7 * nz + 0.3 * std::pow(nz, 20.0);
-      EXPECT_NEAR((colour >> (8 * channel)) & 255, 255.0 * std::min(expected, 1.0), 1.0) << x;
+        material.ambientColor[channel] * 0.1 + material.color[channel] * 0.7 * nz + 0.3 * std::pow(nz, 20.0);
+      EXPECT_NEAR((color >> (8 * channel)) & 255, 255.0 * std::min(expected, 1.0), 1.0) << x;
     }
   }
 }
 
-TEST_P(StructureTest, EachGlyphShowsItsOwnColourAndId)
+TEST_P(StructureTest, EachGlyphShowsItsOwnColorAndId)
 {
-  const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 }, { -0.5f, 0.5f, 0 },
+  const std::vector<glm::vec3> centers = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 }, { -0.5f, 0.5f, 0 },
     { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
-  const auto id = this->AddSpheres(centres, 0.5f);
-  const std::vector<std::uint32_t> colours = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
-  this->scene.SetColours(id, colours);
+  const auto id = this->AddSpheres(centers, 0.5f);
+  const std::vector<std::uint32_t> colors = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
+  this->scene.SetColors(id, colors);
   rtg::Material material;
   material.lighting = false;
   this->scene.SetMaterial(id, material);
   const Image image = this->Trace();
-  for (std::size_t i = 0; i < centres.size(); ++i)
+  for (std::size_t i = 0; i < centers.size(); ++i)
   {
-    const int x = static_cast<int>((centres[i].x + 1.0f) * 50.0f);
-    const int y = static_cast<int>((centres[i].y + 1.0f) * 50.0f);
-    EXPECT_EQ(image.colour[y * 100 + x], colours[i]);
+    const int x = static_cast<int>((centers[i].x + 1.0f) * 50.0f);
+    const int y = static_cast<int>((centers[i].y + 1.0f) * 50.0f);
+    EXPECT_EQ(image.color[y * 100 + x], colors[i]);
     EXPECT_EQ(this->scene.OriginalGlyph(id, image.glyphIds[y * 100 + x]), i);
     EXPECT_EQ(image.setIds[y * 100 + x], id);
   }
@@ -298,7 +298,7 @@ TEST_P(StructureTest, SetsFarApartKeepTheirPlaces)
   const auto far = this->scene.Add();
   rtg::GlyphInstances instances;
   instances.origin = { 1000.25, 0.0, 0.0 };
-  instances.centres = { { -999.75f, 0.0f, 0.0f } };
+  instances.centers = { { -999.75f, 0.0f, 0.0f } };
   instances.uniformSize = 0.5f;
   this->scene.SetInstances(far, instances);
   const Image image = this->Trace();
@@ -323,7 +323,7 @@ TEST_P(StructureTest, TranslucentSetsShowInTheirOwnPass)
   EXPECT_EQ(image.setIds[50 * 100 + 25], Image::noGlyph);
   EXPECT_EQ(image.setIds[50 * 100 + 75], translucent);
   // Its front and its back, as depth peeling shows them.
-  EXPECT_NEAR(image.colour[50 * 100 + 75] >> 24, 0.75 * 255.0, 1.0);
+  EXPECT_NEAR(image.color[50 * 100 + 75] >> 24, 0.75 * 255.0, 1.0);
 }
 
 TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
@@ -384,9 +384,9 @@ TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
   std::mt19937 random(5);
   std::normal_distribution<float> normal;
   rtg::GlyphInstances needles;
-  needles.centres = RandomPoints(3000);
-  needles.sizes3.assign(needles.centres.size(), glm::vec3(0.01f, 0.01f, 0.5f));
-  for (std::size_t i = 0; i < needles.centres.size(); ++i)
+  needles.centers = RandomPoints(3000);
+  needles.sizes3.assign(needles.centers.size(), glm::vec3(0.01f, 0.01f, 0.5f));
+  for (std::size_t i = 0; i < needles.centers.size(); ++i)
   {
     const float x = normal(random), y = normal(random), z = normal(random), w = normal(random);
     needles.rotations.push_back(glm::normalize(glm::vec4(x, y, z, w)));
@@ -458,7 +458,7 @@ TEST_P(StructureTest, ArrowsOfOneSizeAreThoseOfThreeEqualOnes)
   {
     rtg::GlyphInstances instances;
     instances.shape = rtg::Shape::Arrow;
-    instances.centres = { glm::vec3(-0.5f, 0.0f, 0.0f) };
+    instances.centers = { glm::vec3(-0.5f, 0.0f, 0.0f) };
     instances.arrow.unitLength = 0.0f;
     instances.arrow.fixedHeads = true;
     instances.uniformSize = kind == 0 ? 0.8f : 0.1f;
@@ -481,7 +481,7 @@ TEST_P(StructureTest, EmptyThingsAreFine)
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
   EXPECT_EQ(this->scene.GlyphCount(id), 0u);
   this->settings.width = 0;
-  EXPECT_EQ(this->Trace().colour, nullptr);
+  EXPECT_EQ(this->Trace().color, nullptr);
   this->settings.firstSample = 1;
   EXPECT_EQ(this->Trace().samples, 2u) << "of no pixels more samples are as few";
   this->settings.firstSample = 0;

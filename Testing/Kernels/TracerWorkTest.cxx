@@ -12,7 +12,7 @@ using namespace rtg::testing;
 TEST_F(TracerTest, ExponentsOfOtherShapesAreNotKept)
 {
   rtg::GlyphInstances instances;
-  instances.centres = RandomPoints(1000);
+  instances.centers = RandomPoints(1000);
   instances.uniformSize = 0.1f;
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
@@ -32,13 +32,13 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
 {
   this->UseOwnTracer();
   const auto id = this->AddSpheres(RandomPoints(500), 0.1f);
-  this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff808080u));
+  this->scene.SetColors(id, std::vector<std::uint32_t>(500, 0xff808080u));
   this->Trace();
   const rtg::Statistics first = this->scene.GetStatistics();
   const std::uint64_t pipelineBuilds = this->tracer->GetStatistics().pipelineBuilds;
   EXPECT_EQ(first.structureBuilds, 1u);
   EXPECT_EQ(first.instanceUploads, 1u);
-  EXPECT_EQ(first.colourUploads, 1u);
+  EXPECT_EQ(first.colorUploads, 1u);
   EXPECT_EQ(this->tracer->GetStatistics().primaryRays, 10000u);
 
   // Camera moved: trace only.
@@ -47,16 +47,16 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
   EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
-  EXPECT_EQ(this->scene.GetStatistics().colourUploads, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().colorUploads, 1u);
   EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, pipelineBuilds);
 
   // Colors changed: colors only.
-  this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff8080ffu));
+  this->scene.SetColors(id, std::vector<std::uint32_t>(500, 0xff8080ffu));
   this->Trace();
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
   EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
-  EXPECT_EQ(this->scene.GetStatistics().colourUploads, 2u);
+  EXPECT_EQ(this->scene.GetStatistics().colorUploads, 2u);
 
   // Hidden and shown: sent again in the order that is known.
   this->scene.SetVisible(id, false);
@@ -88,32 +88,32 @@ TEST_P(StructureTest, FurtherTracersCompileNothing)
 
 // What users turn on and off, and what steps of time bring. Of the program's tests this one alone has boxes, so that
 // none has compiled its programs before.
-TEST_P(StructureTest, ColoursAndExposureCompileNothing)
+TEST_P(StructureTest, ColorsAndExposureCompileNothing)
 {
   this->UseOwnTracer();
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Box;
-  instances.centres = RandomPoints(50);
+  instances.centers = RandomPoints(50);
   instances.uniformSize = 0.2f;
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
   const auto pixels = [this]
   {
     const Image image = this->Trace();
-    return std::vector<std::uint32_t>(image.colour, image.colour + 10000);
+    return std::vector<std::uint32_t>(image.color, image.color + 10000);
   };
   const auto plain = pixels();
   const std::uint64_t builds = this->tracer->GetStatistics().pipelineBuilds;
   EXPECT_GT(builds, 0u);
 
-  this->scene.SetColours(id, std::vector<std::uint32_t>(50, 0xff2040ffu));
-  const auto coloured = pixels();
-  EXPECT_NE(coloured, plain);
+  this->scene.SetColors(id, std::vector<std::uint32_t>(50, 0xff2040ffu));
+  const auto colored = pixels();
+  EXPECT_NE(colored, plain);
   this->settings.exposure = 1.0f;
-  EXPECT_NE(pixels(), coloured);
+  EXPECT_NE(pixels(), colored);
   this->settings.exposure = 0.0f;
   this->settings.keepSums = true;
-  EXPECT_EQ(pixels(), coloured);
+  EXPECT_EQ(pixels(), colored);
   this->scene.SetInstances(id, instances);
   EXPECT_EQ(pixels(), plain);
   EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, builds);
@@ -126,9 +126,9 @@ TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
   this->Trace();
   const std::uint64_t alone = this->scene.GetStatistics().deviceBytes;
   const auto id = this->AddSpheres(RandomPoints(20000), 0.1f);
-  this->scene.SetColours(id, std::vector<std::uint32_t>(20000, 0xff8080ffu));
+  this->scene.SetColors(id, std::vector<std::uint32_t>(20000, 0xff8080ffu));
   const Image image = this->Trace();
-  const std::vector<std::uint32_t> shown(image.colour, image.colour + 10000);
+  const std::vector<std::uint32_t> shown(image.color, image.color + 10000);
   const std::uint64_t both = this->scene.GetStatistics().deviceBytes;
   EXPECT_GT(both, alone + 20000u * 16u);
   for (int i = 0; i < 3; ++i)
@@ -139,7 +139,7 @@ TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
     this->scene.SetVisible(id, true);
     const Image again = this->Trace();
     EXPECT_EQ(this->scene.GetStatistics().deviceBytes, both);
-    EXPECT_EQ(shown, std::vector<std::uint32_t>(again.colour, again.colour + 10000));
+    EXPECT_EQ(shown, std::vector<std::uint32_t>(again.color, again.color + 10000));
   }
 }
 
@@ -150,15 +150,15 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
   vulkan.cpu = true; // for an image is one launch then
   struct Seen
   {
-    std::vector<std::uint32_t> colours, glyphs;
+    std::vector<std::uint32_t> colors, glyphs;
     std::vector<float> depths;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> means;
     std::vector<float> probes;
-    std::uint64_t commit = 0, recolouring = 0, tracing = 0;
+    std::uint64_t commit = 0, recoloring = 0, tracing = 0;
     bool operator==(const Seen& other) const
     {
-      return this->colours == other.colours && this->glyphs == other.glyphs && this->depths == other.depths &&
+      return this->colors == other.colors && this->glyphs == other.glyphs && this->depths == other.depths &&
         this->normals == other.normals && this->means == other.means && this->probes == other.probes;
     }
   };
@@ -173,7 +173,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     for (unsigned set = 0; set < 3; ++set)
     {
       rtg::GlyphInstances instances;
-      instances.centres = empty ? std::vector<glm::vec3>() : RandomPoints(200 + 50 * set);
+      instances.centers = empty ? std::vector<glm::vec3>() : RandomPoints(200 + 50 * set);
       instances.uniformSize = 0.1f + 0.05f * set;
       last = scene.Add();
       scene.SetInstances(last, instances);
@@ -181,10 +181,10 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t before = vulkan.submissions;
     scene.Commit();
     seen.commit = vulkan.submissions - before;
-    scene.SetColours(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
+    scene.SetColors(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
-    seen.recolouring = vulkan.submissions - between;
+    seen.recoloring = vulkan.submissions - between;
     const std::uint64_t idle = vulkan.submissions;
     tracer.Trace(scene, this->camera, this->lights, this->settings);
     seen.tracing = vulkan.submissions - idle;
@@ -196,7 +196,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     wanted.firstSample = 2;
     const Image image = tracer.Trace(scene, this->camera, this->lights, wanted);
     const std::size_t pixels = 101 * 100;
-    seen.colours.assign(image.colour, image.colour + pixels);
+    seen.colors.assign(image.color, image.color + pixels);
     seen.glyphs.assign(image.glyphIds, image.glyphIds + pixels);
     seen.depths.assign(image.depth, image.depth + pixels);
     seen.normals = image.normals;
@@ -214,7 +214,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     EXPECT_TRUE(shared == own) << empty;
     // All copies and builds of a commit are one submission.
     EXPECT_EQ(own.commit, empty ? 0u : 1u);
-    EXPECT_EQ(own.recolouring, empty ? 0u : 1u);
+    EXPECT_EQ(own.recoloring, empty ? 0u : 1u);
     if (!empty)
     {
       EXPECT_EQ(own.tracing, 2u); // a launch, and a copy of the image
@@ -235,20 +235,20 @@ TEST_F(TracerTest, AnImageTracedWhileGlyphsAreSentIsTheSame)
   this->lights.assign(rtg::device::FEW_LIGHTS + 1, rtg::Light());
   for (rtg::Light& light : this->lights)
   {
-    light.colour = glm::vec3(0.1f);
+    light.color = glm::vec3(0.1f);
   }
   const auto trace = [this]
   {
     this->UseOwnTracer();
     const Image image = this->tracer->Trace(this->scene, this->camera, this->lights, this->settings);
-    return std::vector<std::uint32_t>(image.colour, image.colour + 10000);
+    return std::vector<std::uint32_t>(image.color, image.color + 10000);
   };
   const auto expected = trace();
-  EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [](std::uint32_t colour) { return (colour & 255) > 100; }));
+  EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [](std::uint32_t color) { return (color & 255) > 100; }));
   {
     rtg::Scene other(this->device);
     rtg::GlyphInstances spheres;
-    spheres.centres = RandomPoints(100);
+    spheres.centers = RandomPoints(100);
     other.SetInstances(other.Add(), std::move(spheres));
     int traced = 0;
     other.Commit(
@@ -288,7 +288,7 @@ TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
     {
       EXPECT_LE(vulkan.submissions - before, 2u);
     }
-    images[gpu].assign(image.colour, image.colour + 10000);
+    images[gpu].assign(image.color, image.color + 10000);
   }
   vulkan.cpu = cpu;
   EXPECT_EQ(images[0], images[1]);
@@ -334,7 +334,7 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
   {
     EXPECT_LE(steps[i], 8.001 * steps[i - 1]);
   }
-  const std::vector<std::uint32_t> inParts(image.colour, image.colour + 64);
+  const std::vector<std::uint32_t> inParts(image.color, image.color + 64);
 
   // A GPU's display stands still during a launch, whether or not the image can be interrupted.
   auto& vulkan = this->device->GetState();
@@ -348,7 +348,7 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
     {
       EXPECT_GE(vulkan.submissions - submissions, 3u);
     }
-    EXPECT_EQ(inParts, std::vector<std::uint32_t>(image.colour, image.colour + 64));
+    EXPECT_EQ(inParts, std::vector<std::uint32_t>(image.color, image.color + 64));
   }
   vulkan.cpu = cpu;
 }
@@ -356,27 +356,27 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
 TEST_P(StructureTest, SeveralStructuresOfOneSetGiveTheSameImage)
 {
   const auto points = RandomPoints(1000);
-  std::vector<std::uint32_t> colours;
+  std::vector<std::uint32_t> colors;
   for (std::uint32_t i = 0; i < 1000; ++i)
   {
-    colours.push_back(0xff000000u | (i * 2654435761u >> 8));
+    colors.push_back(0xff000000u | (i * 2654435761u >> 8));
   }
   const auto whole = this->AddSpheres(points, 0.2f);
-  this->scene.SetColours(whole, colours);
+  this->scene.SetColors(whole, colors);
   Image image = this->Trace();
-  const std::vector<std::uint32_t> expected(image.colour, image.colour + 10000);
+  const std::vector<std::uint32_t> expected(image.color, image.color + 10000);
   const std::vector<std::uint32_t> ids(image.glyphIds, image.glyphIds + 10000);
 
   this->scene.Remove(whole);
   this->scene.GetState().glyphsPerRun = 150;
   const auto pieces = this->AddSpheres(points, 0.2f);
-  this->scene.SetColours(pieces, colours);
+  this->scene.SetColors(pieces, colors);
   image = this->Trace();
   if (GetParam() == rtg::Structure::Boxes)
   {
     EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u + 7u);
   }
-  EXPECT_EQ(expected, std::vector<std::uint32_t>(image.colour, image.colour + 10000));
+  EXPECT_EQ(expected, std::vector<std::uint32_t>(image.color, image.color + 10000));
   EXPECT_EQ(ids, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + 10000));
 }
 
@@ -398,7 +398,7 @@ TEST_P(StructureTest, SortsOnlyWhenTheOrderHasDecayed)
       std::shuffle(points.begin(), points.end(), random);
     }
     rtg::GlyphInstances instances;
-    instances.centres = points;
+    instances.centers = points;
     instances.uniformSize = 0.05f;
     const auto sorts = this->scene.GetStatistics().sorts;
     this->scene.SetInstances(id, instances);

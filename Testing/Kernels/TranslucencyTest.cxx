@@ -33,10 +33,10 @@ protected:
     this->settings.keepSums = false;
   }
 
-  void AddBalls(const std::vector<glm::vec3>& centres, float size)
+  void AddBalls(const std::vector<glm::vec3>& centers, float size)
   {
     rtg::GlyphInstances instances;
-    instances.centres = centres;
+    instances.centers = centers;
     instances.uniformSize = size;
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, std::move(instances));
@@ -66,7 +66,7 @@ protected:
     return sum / static_cast<double>(means.size());
   }
 
-  glm::dvec2 PixelCentre(std::size_t at) const
+  glm::dvec2 PixelCenter(std::size_t at) const
   {
     return { (at % this->settings.width + 0.5) / this->settings.width * 2.0 - 1.0,
       (at / this->settings.width + 0.5) / this->settings.height * 2.0 - 1.0 };
@@ -123,7 +123,7 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
     rtg::GlyphInstances instances;
     instances.shape = shape;
     instances.mesh = std::make_shared<rtg::TriangleMesh>(rtg::testing::BoxMesh());
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     instances.sizes3 = { { 1000.0f, 0.1f, 1000.0f } };
     const auto roof = this->scene.Add();
     this->scene.SetInstances(roof, instances);
@@ -195,7 +195,7 @@ TEST_P(TranslucencyTest, ASurfaceOfAnyExtentCountsOnce)
     rtg::GlyphInstances instances;
     instances.shape = Shape::Mesh;
     instances.mesh = rtg::testing::Share(std::move(sheet));
-    instances.centres = { glm::vec3(0.0f) };
+    instances.centers = { glm::vec3(0.0f) };
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, instances);
     rtg::Material material;
@@ -238,7 +238,7 @@ TEST_P(TranslucencyTest, ManyTrianglesOfASurfaceAreNoWall)
   rtg::GlyphInstances instances;
   instances.shape = Shape::Mesh;
   instances.mesh = rtg::testing::Share(std::move(stack));
-  instances.centres = { glm::vec3(0.0f) };
+  instances.centers = { glm::vec3(0.0f) };
   const auto id = this->scene.Add();
   this->scene.SetInstances(id, instances);
   this->camera = rtg::Camera::FromWorldToClip(
@@ -264,15 +264,15 @@ TEST_P(TranslucencyTest, ManyTrianglesOfASurfaceAreNoWall)
 TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
 {
   std::vector<float> opacities;
-  std::vector<std::uint32_t> colours;
+  std::vector<std::uint32_t> colors;
   for (std::uint32_t i = 0; i < 60; ++i)
   {
     const std::uint32_t alpha = 255 - 4 * i;
     opacities.push_back(static_cast<float>(alpha) / 255.0f);
-    colours.push_back(alpha << 24 | 0xffffffu);
+    colors.push_back(alpha << 24 | 0xffffffu);
   }
   rtg::GlyphInstances balls;
-  balls.centres = Clutter(3, 60);
+  balls.centers = Clutter(3, 60);
   balls.uniformSize = 0.4f;
   rtg::GlyphInstances boxes = balls;
   boxes.shape = Shape::Mesh;
@@ -284,27 +284,27 @@ TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
     material.opacity = 0.8f;
     this->scene.SetMaterial(id, material);
     this->settings.keepSums = true;
-    std::vector<glm::vec4> byColour[2], byOpacity[2];
+    std::vector<glm::vec4> byColor[2], byOpacity[2];
     for (const bool own : { false, true })
     {
       instances.opacities = own ? opacities : std::vector<float>();
       this->scene.SetInstances(id, instances);
-      this->scene.SetColours(id, own ? std::vector<std::uint32_t>() : colours);
+      this->scene.SetColors(id, own ? std::vector<std::uint32_t>() : colors);
       EXPECT_TRUE(this->scene.HasTranslucent());
       for (const Shading shading : { Shading::Local, Shading::PathTracing })
       {
         this->settings.shading = shading;
         this->Trace(rtg::Pass::Translucent);
-        (own ? byOpacity : byColour)[shading == Shading::Local] = this->tracer.Means();
+        (own ? byOpacity : byColor)[shading == Shading::Local] = this->tracer.Means();
       }
     }
     for (const int shading : { 0, 1 })
     {
       std::size_t covered = 0, wrong = 0;
-      for (std::size_t at = 0; at < byColour[shading].size(); ++at)
+      for (std::size_t at = 0; at < byColor[shading].size(); ++at)
       {
-        covered += byColour[shading][at].a > 0.0f;
-        wrong += glm::length(byColour[shading][at] - byOpacity[shading][at]) > 1e-4f;
+        covered += byColor[shading][at].a > 0.0f;
+        wrong += glm::length(byColor[shading][at] - byOpacity[shading][at]) > 1e-4f;
       }
       EXPECT_GT(covered, 200u);
       EXPECT_EQ(wrong, 0u) << "of " << covered << " pixels";
@@ -316,10 +316,10 @@ TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
 TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
 {
   constexpr float radius = 0.02f;
-  std::vector<glm::vec3> centres = Clutter(5, 20000);
+  std::vector<glm::vec3> centers = Clutter(5, 20000);
   // Many balls lie twice at one place.
-  centres.insert(centres.end(), centres.begin(), centres.begin() + 5000);
-  this->AddBalls(centres, 2.0f * radius);
+  centers.insert(centers.end(), centers.begin(), centers.begin() + 5000);
+  this->AddBalls(centers, 2.0f * radius);
   this->settings.width = this->settings.height = 60;
   this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-0.7, 0.7, -0.7, 0.7, 1.0, 100.0) *
     glm::lookAt(glm::dvec3(0, 0, 50), glm::dvec3(0), glm::dvec3(0, 1, 0)));
@@ -328,10 +328,10 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
   std::vector<int> met(60 * 60, 0);
   for (std::size_t at = 0; at < met.size(); ++at)
   {
-    const glm::dvec2 place = 0.7 * this->PixelCentre(at);
-    for (const glm::vec3& centre : centres)
+    const glm::dvec2 place = 0.7 * this->PixelCenter(at);
+    for (const glm::vec3& center : centers)
     {
-      const double off = glm::length(place - glm::dvec2(centre)) / radius;
+      const double off = glm::length(place - glm::dvec2(center)) / radius;
       if (std::abs(off - 1.0) < 1e-4)
       {
         met[at] = -1;
@@ -361,7 +361,7 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
   // Path tracing: the mean over rays beside each other, of a place that is not nearly opaque.
   const auto thin = std::find(met.begin(), met.end(), 3) - met.begin();
   ASSERT_LT(std::size_t(thin), met.size());
-  const glm::dvec2 place = 0.7 * this->PixelCentre(thin);
+  const glm::dvec2 place = 0.7 * this->PixelCenter(thin);
   const double half = 1e-7;
   this->camera = rtg::Camera::FromWorldToClip(
     glm::ortho(place.x - half, place.x + half, place.y - half, place.y + half, 1.0, 100.0) *
@@ -377,12 +377,12 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
 TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
 {
   constexpr float radius = 0.02f;
-  std::vector<glm::vec3> centres = Clutter(6, 20000);
-  this->AddBalls(centres, 2.0f * radius);
-  std::vector<std::uint32_t> colours(centres.size());
-  for (std::size_t i = 0; i < colours.size(); ++i)
+  std::vector<glm::vec3> centers = Clutter(6, 20000);
+  this->AddBalls(centers, 2.0f * radius);
+  std::vector<std::uint32_t> colors(centers.size());
+  for (std::size_t i = 0; i < colors.size(); ++i)
   {
-    colours[i] = 0xffffffu | std::uint32_t(i % 60) << 24;
+    colors[i] = 0xffffffu | std::uint32_t(i % 60) << 24;
   }
   this->scene.SetMaterial(0, White());
   this->settings.width = this->settings.height = 60;
@@ -397,27 +397,27 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
     {
       this->Add(Shape::Box, { { 0, 0, wallZ - 1.0f } }, { glm::vec3(2, 2, 2) }, White());
     }
-    this->scene.SetColours(0, colours);
+    this->scene.SetColors(0, colors);
     this->settings.shading = Shading::Local;
     this->Trace(rtg::Pass::Translucent);
     const std::vector<glm::vec4> means = this->tracer.Means();
     std::size_t judged = 0, wrong = 0, deep = 0;
     for (std::size_t at = 0; at < means.size(); ++at)
     {
-      const glm::dvec2 place = 0.7 * this->PixelCentre(at);
+      const glm::dvec2 place = 0.7 * this->PixelCenter(at);
       double transmittance = 1.0;
       unsigned layers = 0;
       bool unclear = false;
-      for (std::size_t i = 0; i < centres.size(); ++i)
+      for (std::size_t i = 0; i < centers.size(); ++i)
       {
-        const double off = glm::length(place - glm::dvec2(centres[i])) / radius;
+        const double off = glm::length(place - glm::dvec2(centers[i])) / radius;
         unclear |= std::abs(off - 1.0) < 1e-4;
         const double half = off < 1.0 ? radius * std::sqrt(1.0 - off * off) : -1.0;
-        for (const double z : { centres[i].z + half, centres[i].z - half })
+        for (const double z : { centers[i].z + half, centers[i].z - half })
         {
           if (half >= 0.0 && (!wall || z > wallZ))
           {
-            transmittance *= 1.0 - (colours[i] >> 24) / 255.0;
+            transmittance *= 1.0 - (colors[i] >> 24) / 255.0;
             ++layers;
           }
         }
@@ -455,7 +455,7 @@ TEST_F(LightTest, BoxesAndTreesGiveTheSameImages)
     rtg::GlyphInstances copies;
     copies.shape = Shape::Mesh;
     copies.mesh = rtg::testing::Share(rtg::testing::BoxMesh());
-    copies.centres = Clutter(10, 50);
+    copies.centers = Clutter(10, 50);
     copies.uniformSize = 0.3f;
     copies.rotations.assign(50, glm::normalize(glm::vec4(4, 1, 2, 3)));
     const auto meshes = this->scene.Add();

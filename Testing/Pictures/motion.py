@@ -25,7 +25,7 @@ LOOKS = ("arrows", "velocity", "acceleration", "braked")
 WHOLE = ((1.75, 4.9, -0.8), (1.75, 0.0, 0.05), (0.0, 0.0, -1.0))
 NEAR = ((1.75, 2.3, -0.3), (1.75, 0.0, 0.0), (0.0, 0.0, -1.0))
 #: Speed from blue over green to red, none of them as pale as the wall.
-COLOURS = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
+COLORS = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
 
 
 def chamber(folder, view):
@@ -58,7 +58,7 @@ def show_can(look, path, view):
     if look == "surface":
         wall.MotionBlur, wall.VelocityArray, wall.AccelerationArray = 1, arrays[0], arrays[1]
         wall.ShutterTime, wall.ShutterOpening = 0.5 * how[1], "Forward"
-        colour_by_speed(wall, arrays[0], how[3])
+        color_by_speed(wall, arrays[0], how[3])
         return wall
     wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.92, 0.93, 0.95], [0.92, 0.93, 0.95]
     # A second representation of the same source needs a source of its own.
@@ -82,15 +82,15 @@ def show(look, source, arrays, diameter, shutter, factor, limits, view):
         shown = simulation.show(source, view, "Sphere", Orient=0, ScaleFactor=diameter, MotionBlur=1,
                                 VelocityArray=velocity, ShutterTime=shutter, ShutterOpening="Forward",
                                 AccelerationArray="None" if look == "velocity" else acceleration)
-    colour_by_speed(shown, velocity, limits)
+    color_by_speed(shown, velocity, limits)
     return shown
 
 
-def colour_by_speed(shown, velocity, limits):
+def color_by_speed(shown, velocity, limits):
     """Colors by the magnitude of the velocity."""
     pv.ColorBy(shown, ("POINTS", velocity, "Magnitude"), True)
     table = pv.GetColorTransferFunction(velocity, shown, separate=True)
-    table.RGBPoints, table.ColorSpace = list(COLOURS), "RGB"
+    table.RGBPoints, table.ColorSpace = list(COLORS), "RGB"
     table.RescaleTransferFunction(*limits)
 
 

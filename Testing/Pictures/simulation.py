@@ -53,7 +53,7 @@ def number_format():
     return "{:.3g}" if pv.GetParaViewVersion() >= (6, 1) else "%.3g"
 
 
-def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
+def color(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
     """Colors by an array's component, with a scalar bar whose lower left corner is at place (fractions of the view)."""
     pv.ColorBy(shown, ("POINTS", array, component), True)
     scalar_bar(pv.GetColorTransferFunction(array, shown, separate=True), shown, view, limits, preset, title, place)
@@ -76,7 +76,7 @@ def spheres(impact, view):
     """The grains as spheres of their diameter, colored by speed."""
     shown = show(impact, view, "Sphere", Orient=0, SelectScaleArray="diameter",
                  ScaleMode="Magnitude", ScaleFactor=1.0)
-    colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma", "speed")
+    color(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma", "speed")
     look(view, (9.0, -36.0, 27.0), (14.3, 14.0, 4.0), (0.0, 0.0, 1.0))
 
 
@@ -86,7 +86,7 @@ def arrows(impact, view):
                  OrientationMode="Direction", SelectScaleArray="velocity",
                  ScaleMode="Magnitude", ScaleFactor=0.3, ArrowReferenceMagnitude=2.0,
                  **{"GlyphType.ShaftRadius": 0.12, "GlyphType.TipRadius": 0.3, "GlyphType.TipLength": 0.8})
-    colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity", (0.6, 0.02))
+    color(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity", (0.6, 0.02))
     look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 
 
@@ -95,7 +95,7 @@ def ellipsoids(nematic, view):
     shown = show(nematic, view, "Sphere", Orient=1, SelectOrientationVectors="quaternion",
                  OrientationMode="Quaternion", SelectScaleArray="shape",
                  ScaleMode="Vector Components", ScaleFactor=1.0)
-    colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis", "speed")
+    color(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis", "speed")
     look(view, (31.0, 24.0, 49.0), (12.6, 11.6, 12.2), (0.0, 1.0, 0.0))
 
 

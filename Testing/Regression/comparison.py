@@ -63,10 +63,10 @@ def covered(pixels):
     return (pixels[..., :3] != numpy.array(session.BACKGROUND)).any(axis=2)
 
 
-def against_paraview(ours, theirs, name, silhouette=0.005, colour=2.0):
+def against_paraview(ours, theirs, name, silhouette=0.005, color=2.0):
     """List of failures of ray-traced glyphs against ParaView's 3D Glyphs of the same scene.
 
-    silhouette: allowed fraction of the pixels covered in one picture only. colour: allowed mean absolute difference, in
+    silhouette: allowed fraction of the pixels covered in one picture only. color: allowed mean absolute difference, in
     levels of 255, over the pixels covered in both. Keeps the difference (times 8) beside both pictures.
     """
     mask, their_mask = covered(ours), covered(theirs)
@@ -80,8 +80,8 @@ def against_paraview(ours, theirs, name, silhouette=0.005, colour=2.0):
     failures = []
     if outline > silhouette:
         failures.append("%s: silhouettes differ on %.3f%% of the pixels (allowed %.3f%%)" % (name, 100 * outline, 100 * silhouette))
-    if mean > colour:
-        failures.append("%s: colors differ by %.3f levels (allowed %.3f)" % (name, mean, colour))
+    if mean > color:
+        failures.append("%s: colors differ by %.3f levels (allowed %.3f)" % (name, mean, color))
     if both.mean() < 0.02:
         failures.append("%s: only %.2f%% of the picture is covered" % (name, 100 * both.mean()))
     return failures

@@ -159,7 +159,7 @@ def block_attributes(view, shown):
     shown.BlockSelectors = ["/"]
     shown.BlockColors = ["/Root/half1", "0", "0", "1"]
     pv.Render(view)
-    pixels = session.capture(view, "data-blockcolour")
+    pixels = session.capture(view, "data-blockcolor")
     column, row = pixel(CORNERS[7], pixels.shape[1], pixels.shape[0])
     first_column, first_row = pixel(CORNERS[0], pixels.shape[1], pixels.shape[0])
     if pixels[row, column, 2] <= pixels[row, column, 0] or pixels[first_row, first_column, 2] >= pixels[first_row, first_column, 0]:

@@ -86,8 +86,8 @@ def key_of(view, corner, kind, side):
     """(rows, columns, colors) of pixels well inside the key's discs, in a picture with rows from the top."""
     radius, margin = 0.06 * min(side), 0.02 * min(side)
     camera = view.GetActiveCamera()
-    towards = -numpy.array(camera.GetDirectionOfProjection())
-    up = unit(numpy.array(camera.GetViewUp()) - numpy.dot(camera.GetViewUp(), towards) * towards)
+    toward = -numpy.array(camera.GetDirectionOfProjection())
+    up = unit(numpy.array(camera.GetViewUp()) - numpy.dot(camera.GetViewUp(), toward) * toward)
     rows, columns, colors = [], [], []
     for back in range(2 if kind == "Sphere" else 1):
         width = 2.0 * radius + (2.2 * radius if kind == "Sphere" else 0.0)
@@ -97,7 +97,7 @@ def key_of(view, corner, kind, side):
         across, along = (x + 0.5 - middle[0]) / radius, (side[1] - y - 0.5 - middle[1]) / radius
         inside = across ** 2 + along ** 2 < 0.9 ** 2
         depth = numpy.sqrt(1.0 - across[inside] ** 2 - along[inside] ** 2) * (-1.0 if back else 1.0)
-        directions = across[inside, None] * numpy.cross(up, towards) + along[inside, None] * up + depth[:, None] * towards
+        directions = across[inside, None] * numpy.cross(up, toward) + along[inside, None] * up + depth[:, None] * toward
         rows, columns, colors = rows + [y[inside]], columns + [x[inside]], colors + [levels(directions, kind)]
     return numpy.concatenate(rows), numpy.concatenate(columns), numpy.concatenate(colors)
 

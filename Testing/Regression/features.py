@@ -14,9 +14,9 @@ import session
 WIDTH, HEIGHT, SAMPLES = 121, 91, 4
 #: world units per pixel: parallel projection, 9.1 units high
 STEP = 0.1
-COLOURS = ((200, 40, 40), (40, 200, 40), (40, 40, 200))
+COLORS = ((200, 40, 40), (40, 200, 40), (40, 40, 200))
 #: centers and diameter of the balls; the last lies behind the second
-CENTRES = numpy.array([[-3.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -2.0]])
+CENTERS = numpy.array([[-3.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -2.0]])
 DIAMETER = 2.0
 DISTANCE = 10.0  # of the camera from z = 0
 
@@ -47,7 +47,7 @@ def main():
     import raytracedglyphs  # comes with the plugin
     failures = []
     view = session.view(WIDTH, HEIGHT)
-    balls = session.source(session.poly_data(CENTRES, rgb=numpy.array(COLOURS, dtype=numpy.uint8)))
+    balls = session.source(session.poly_data(CENTERS, rgb=numpy.array(COLORS, dtype=numpy.uint8)))
     shown = session.glyphs(balls, view, "Sphere", Orient=0, ScaleFactor=DIAMETER, SamplesPerPixel=SAMPLES)
     pv.ColorBy(shown, ("POINTS", "rgb"))
     shown.MapScalars = 0
@@ -75,8 +75,8 @@ def main():
         return (WIDTH - 1) // 2 + int(round(x / STEP))
 
     left, middle, right, nothing = ((row, column(x)) for x in (-3.0, 0.0, 3.3, 5.5))
-    check(failures, "albedo of the left ball", seen["Albedo"][left], numpy.array(COLOURS[0]) / 255.0, 0.003)
-    check(failures, "albedo of the middle ball", seen["Albedo"][middle], numpy.array(COLOURS[1]) / 255.0, 0.003)
+    check(failures, "albedo of the left ball", seen["Albedo"][left], numpy.array(COLORS[0]) / 255.0, 0.003)
+    check(failures, "albedo of the middle ball", seen["Albedo"][middle], numpy.array(COLORS[1]) / 255.0, 0.003)
     check(failures, "albedo of the wall", seen["Albedo"][right], (1, 1, 0), 0.003)
     # In front of the centers; four samples spread over a pixel lie a little lower.
     for name, at, z in (("left", left, 1.0), ("middle", middle, 2.0), ("wall", right, 0.0)):

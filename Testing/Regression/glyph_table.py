@@ -47,7 +47,7 @@ def theirs(points, view, forms):
     return shown
 
 
-def colour(shown, view, how):
+def color(shown, view, how):
     if how == "solid":
         session.solid(shown, (0.8, 0.5, 0.2))
     else:
@@ -65,7 +65,7 @@ def main():
     for who, show in (("paraview", theirs), ("ours", ours)):
         shown = show(points, view, forms)
         for how in ("solid", "table"):
-            colour(shown, view, how)
+            color(shown, view, how)
             pv.Render(view)
             pictures[who, how] = session.capture(view, "GlyphTable-%s-%s" % (how, who))
         if who == "paraview":

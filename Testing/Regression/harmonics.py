@@ -124,9 +124,9 @@ def form(checks, stage, what, array, function, factor, both=False, **properties)
         if coloring == "Radius":
             scalar_bar(checks, view, shown, what, [name for name in (properties.get("GlyphHarmonicsArray"), properties.get("GlyphTensorArray")) if name][0],
                        most)
-        at, towards = look(view, direction)
+        at, toward = look(view, direction)
         image = session.capture(view, "harmonics-%s-%s" % (what.replace(" ", "-").replace(",", ""), coloring.split()[0]))[:, :, :3].astype(int)
-        there, first, value = seen(function, most, factor, at, towards)
+        there, first, value = seen(function, most, factor, at, toward)
         hit = comparison.covered(image)
         sure = inner(there) | inner(~there)
         # Lobes thinner than a pixel, and points of rays that pass them by, leave some pixels in doubt.
@@ -145,7 +145,7 @@ def form(checks, stage, what, array, function, factor, both=False, **properties)
         else:
             wanted = numpy.abs(first) / numpy.maximum(numpy.linalg.norm(first, axis=-1), 1e-9)[..., None]
             # Where the surface has no step, one step of the ray is seen.
-            deep = numpy.pad(first @ towards, 1, mode="edge")
+            deep = numpy.pad(first @ toward, 1, mode="edge")
             spread = numpy.ptp([deep[i:i + SIDE, j:j + SIDE] for i in range(3) for j in range(3)], axis=0)
             alike = inner(there) & (spread < 0.15) & (numpy.linalg.norm(first, axis=-1) > 0.15)
             levels = 20

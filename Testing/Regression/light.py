@@ -213,7 +213,7 @@ def surrounded():
         shown = session.capture(view, "light-environment-" + state)
         seen[state] = [shown[60, x, :3].astype(float) for x in (45, 80, 115)]  # left, middle, right of the ball
         on_device[state] = session.statistics(ball)["deviceBytes"]
-        print("environment image %s: left, middle, right" % state, [list(colour) for colour in seen[state]], on_device[state], "bytes")
+        print("environment image %s: left, middle, right" % state, [list(color) for color in seen[state]], on_device[state], "bytes")
     pv.Delete(points)
     pv.Delete(view)
     failures = []

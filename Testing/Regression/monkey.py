@@ -61,7 +61,7 @@ class Monkey:
         self.window.drag(VIEW, self.place(), self.place())
 
     def tool(self):
-        """A tool of the view, used or cancelled."""
+        """A tool of the view, used or canceled."""
         action = self.random.choice(["actionSelectSurfacePoints", "actionSelectSurfaceCells", "actionPolygonSelectionPoints", "actionZoomToBox"])
         if self.window.trigger(action):
             self.window.wait(lambda: False, 0.2)

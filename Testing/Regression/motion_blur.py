@@ -59,8 +59,8 @@ class Blur:
         column = (numpy.arange(150, 250) + 0.5 - 200.0) / 100.0
         fine = column[:, None] + (numpy.arange(8) - 3.5) / 800.0
         expected = 0.0
-        for centre in (-1.0, 0.0, 1.0):
-            away = numpy.abs(fine[:, :, None, None] - centre - positions[:, None])
+        for center in (-1.0, 0.0, 1.0):
+            away = numpy.abs(fine[:, :, None, None] - center - positions[:, None])
             expected = expected + (away < half).mean(axis=(1, 2, 3))
         worst = numpy.abs(found - expected).max()
         print("%s: coverage differs by at most %.3f" % (name, worst))
@@ -76,7 +76,7 @@ def looks(blur):
     still = blur.picture("off", VelocityArray="velocity", ShutterTime=1.0)
     blur.streak("off", still, numpy.zeros(1))
     times = (numpy.arange(500) + 0.5) / 500.0 - 0.5
-    blur.streak("centred", blur.picture("centred", MotionBlur=1), 0.6 * times)
+    blur.streak("centered", blur.picture("centered", MotionBlur=1), 0.6 * times)
     blur.streak("half the time", blur.picture("half", ShutterTime=0.5), 0.3 * times)
     blur.streak("forward", blur.picture("forward", ShutterOpening="Forward"), 0.3 * (times + 0.5))
     blur.streak("backward", blur.picture("backward", ShutterOpening="Backward"), 0.3 * (times - 0.5))

@@ -75,7 +75,7 @@ def surface(streaks):
     streaks.show(source, "Ray Traced Surface", VelocityArray="velocity", ShutterTime=1.0)
     rest = numpy.zeros(1)
     still = streaks.streak("surface off", [rest - HALF], [rest + HALF])
-    streaks.streak("surface centred", [0.6 * TIMES - HALF], [0.6 * TIMES + HALF], MotionBlur=1)
+    streaks.streak("surface centered", [0.6 * TIMES - HALF], [0.6 * TIMES + HALF], MotionBlur=1)
     streaks.streak("surface of three arrays", [0.6 * TIMES - HALF], [0.6 * TIMES + HALF], VelocityArray="vx, vy, vz")
     streaks.streak("surface half the time", [0.3 * TIMES - HALF], [0.3 * TIMES + HALF], ShutterTime=0.5)
     streaks.set(ShutterTime=1.0)
@@ -99,7 +99,7 @@ def surface(streaks):
     pv.Render(streaks.view)
     after = session.statistics(streaks.shown)
     for key in ("instanceUploads", "structureBuilds"):
-        streaks.expect(after[key] == before[key], "another colour: %s went from %s to %s" % (key, before[key], after[key]))
+        streaks.expect(after[key] == before[key], "another color: %s went from %s to %s" % (key, before[key], after[key]))
     streaks.set(DiffuseColor=[1.0, 1.0, 1.0])
 
     broken = ALONG.copy()
@@ -134,8 +134,8 @@ def mesh_glyphs(streaks):
     points = session.source(data)
     streaks.show(points, session.REPRESENTATION, GlyphType=session.triangles(pv.Box()), ScaleFactor=0.2, Orient=0,
                  ScaleMode="No Data Scaling Off", VelocityArray="velocity", MotionBlur=1, ShutterTime=1.0)
-    centres = (-1.0, 0.0, 1.0)
-    streaks.streak("mesh glyphs", [x + 0.6 * TIMES - 0.1 for x in centres], [x + 0.6 * TIMES + 0.1 for x in centres])
+    centers = (-1.0, 0.0, 1.0)
+    streaks.streak("mesh glyphs", [x + 0.6 * TIMES - 0.1 for x in centers], [x + 0.6 * TIMES + 0.1 for x in centers])
     text = session.messages(lambda: pv.Render(streaks.view))
     streaks.expect(not text.strip(), "mesh glyphs: " + text.strip())
     # A fast turn covers a disc round each glyph's middle: half a diagonal at the most, half a side all the time.

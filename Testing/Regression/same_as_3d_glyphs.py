@@ -29,7 +29,7 @@ RESOLUTION = {
 #: those tested where no shape is named
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow", "MeshArrow", "MeshCylinder")
 #: fraction of the pixels that one of two pictures covers alone, and levels of 255 in the mean: a fifth of what the smallest ball covers
-SILHOUETTE, COLOUR = 0.0003, 1.5
+SILHOUETTE, COLOR = 0.0003, 1.5
 COLORINGS = ("solid", "table")
 #: by name: the parallel scale
 PROJECTIONS = {"perspective": None, "parallel": 1.4}
@@ -181,7 +181,7 @@ def main(shapes):
     failures = []
     expected = pictures(view, points, shapes, theirs, "paraview")
     for (shape, combination), picture in pictures(view, points, shapes, ours, "ours").items():
-        failures += comparison.against_paraview(picture, expected[shape, combination], "-".join((shape,) + combination), SILHOUETTE, COLOUR)
+        failures += comparison.against_paraview(picture, expected[shape, combination], "-".join((shape,) + combination), SILHOUETTE, COLOR)
     session.finish(failures)
 
 

@@ -120,10 +120,10 @@ def darkened(view, points, kind, position):
         name = "screen-effects-ssao-%s-%d" % (kind.split()[0].lower(), effect)
         pictures.append(session.capture(view, name).sum(axis=2, dtype=int))
     ratio = pictures[1] / numpy.maximum(pictures[0], 1)
-    towards = RADIUS * numpy.array(position) / numpy.linalg.norm(position)
+    toward = RADIUS * numpy.array(position) / numpy.linalg.norm(position)
     patches = []
     for point in points[numpy.hypot(points[:, 0], points[:, 1]) > 0.8]:
-        column, row = session.pixel_of(view, point + towards)
+        column, row = session.pixel_of(view, point + toward)
         if 4 < column < 235 and 4 < row < 175:
             patches.append(ratio[177 - row:182 - row, column - 2:column + 3])
     return numpy.array(patches).reshape(len(patches), -1)

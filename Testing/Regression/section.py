@@ -65,7 +65,7 @@ def pictures(checks, shape, cases):
                                SectionCaps="Caps" if closed else "Open", SectionOrigin=ORIGIN, SectionNormal=NORMAL,
                                **{"Section" + property_: value for property_, value in BOX.items()}, **COLORS)
         our_picture = picture(ours, name)
-        checks.failures += comparison.against_paraview(our_picture, their_picture, name, silhouette=0.0003, colour=0.6)
+        checks.failures += comparison.against_paraview(our_picture, their_picture, name, silhouette=0.0003, color=0.6)
         pv.Delete(theirs)
         pv.Delete(ours)
 

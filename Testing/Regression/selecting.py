@@ -1,4 +1,4 @@
-"""Runs inside ParaView's window: an image is refined after each tool of the view, used or cancelled, beside each widget, after captures, and while
+"""Runs inside ParaView's window: an image is refined after each tool of the view, used or canceled, beside each widget, after captures, and while
 there is a selection when something changes. ParaView says nothing meanwhile.
 
 Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=selecting.py
@@ -45,21 +45,21 @@ def press_escape(window):
 
 
 def tools(checks, window, view, shown, source):
-    """Each tool, cancelled before the mouse is used and while it is, and used."""
+    """Each tool, canceled before the mouse is used and while it is, and used."""
     for part, (action, selects) in enumerate(TOOLS.items()):
         place = (100 + 30 * part, 60), (130 + 30 * part, 140)
-        for cancelled in ("at once", "in the middle", ""):
-            what = action + (", cancelled " + cancelled if cancelled else "")
+        for canceled in ("at once", "in the middle", ""):
+            what = action + (", canceled " + canceled if canceled else "")
             session.look(view, (0.0, 0.0, 6.0 + 0.1 * part))
             pv.Render(view)
             checks.true("%s cannot be chosen" % action, window.wait(lambda action=action: window.trigger(action), LIMIT))
             window.wait(lambda: False, 0.3)
-            if cancelled:
-                if cancelled == "in the middle":
+            if canceled:
+                if canceled == "in the middle":
                     window.drag(VIEW, *place, release=False)
                 # ParaView's zoom does not listen to Esc.
                 press_escape(window) if selects else window.trigger(action)
-                if cancelled == "in the middle":
+                if canceled == "in the middle":
                     window.mouse(VIEW, "release", place[1])
                 refined(checks, window, shown, what)
                 # The mouse turns the camera again.

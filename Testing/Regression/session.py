@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersSources import vtkHyperTreeGridSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 REPRESENTATION = "Ray Traced Glyphs"
-#: No shaded glyph has this colour, so what differs from it is covered by glyphs.
+#: No shaded glyph has this color, so what differs from it is covered by glyphs.
 BACKGROUND = (255, 0, 255)
 #: seconds after which a test is taken for hanging; CTest's limit is longer (CMakeLists.txt)
 HANGS = 540
@@ -216,7 +216,7 @@ def replace_data(producer, data):
 
 
 def view(width=400, height=300, background=BACKGROUND):
-    """A render view with one plain background colour and nothing in it."""
+    """A render view with one plain background color and nothing in it."""
     made = pv.CreateView("RenderView")
     made.ViewSize = [width, height]
     made.OrientationAxesVisibility = 0
@@ -372,11 +372,11 @@ class Stage:
         self.source = self.settings = None
 
 
-def solid(shown, colour):
-    """One colour for all."""
+def solid(shown, color):
+    """One color for all."""
     shown.ColorArrayName = [None, ""]
-    shown.DiffuseColor = list(colour)
-    shown.AmbientColor = list(colour)
+    shown.DiffuseColor = list(color)
+    shown.AmbientColor = list(color)
 
 
 def signs(positive, negative):

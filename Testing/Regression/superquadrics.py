@@ -9,7 +9,7 @@ import comparison
 import session
 
 #: Their 256 by 256 facets against ours.
-BOUNDS = {"silhouette": 0.0005, "colour": 0.1}
+BOUNDS = {"silhouette": 0.0005, "color": 0.1}
 SCALE, TURN = [1.0, 0.7, 0.5], 25.0
 LINE = numpy.array([[-1.0, 0, 0], [0, 0, 0], [1.0, 0, 0]])
 

@@ -13,7 +13,7 @@ import comparison
 import session
 
 SURFACE = "Ray Traced Surface"
-COLOUR = (0.8, 0.5, 0.2)
+COLOR = (0.8, 0.5, 0.2)
 FAILURES = []
 
 
@@ -23,7 +23,7 @@ def check(good, text):
         FAILURES.append(text)
 
 
-def colour_at(pixels, x, y):
+def color_at(pixels, x, y):
     """The RGB of one pixel, x and y from the upper left, as a tuple of int."""
     return tuple(int(channel) for channel in pixels[y, x, :3])
 
@@ -44,11 +44,11 @@ def named(shown, properties):
     return {moved if name == "Position" else name: value for name, value in properties.items()}
 
 
-def sphere_data(radius=1.0, resolution=32, centre=(0.0, 0.0, 0.0)):
+def sphere_data(radius=1.0, resolution=32, center=(0.0, 0.0, 0.0)):
     """A sphere with smooth normals and arrays of both kinds."""
     source = vtkSphereSource()
     source.SetRadius(radius)
-    source.SetCenter(centre)
+    source.SetCenter(center)
     source.SetThetaResolution(resolution)
     source.SetPhiResolution(resolution)
     source.Update()
@@ -61,11 +61,11 @@ def sphere_data(radius=1.0, resolution=32, centre=(0.0, 0.0, 0.0)):
     return data
 
 
-def colour_nothing(shown, _view):
-    session.solid(shown, COLOUR)
+def color_nothing(shown, _view):
+    session.solid(shown, COLOR)
 
 
-def colour_by(association, name):
+def color_by(association, name):
     """A function that colors a representation with an array through a lookup table that is the same in all ParaViews."""
     def apply(shown, view):
         pv.ColorBy(shown, (association, name))
@@ -80,22 +80,22 @@ def like_paraview(view):
     box = pv.Box(XLength=1.6, YLength=1.2, ZLength=1.4)
     wavelet = pv.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
     cases = (
-        ("sphere-smooth", sphere, {"Interpolation": "Gouraud"}, colour_nothing),
-        ("box", box, {"Interpolation": "Flat"}, colour_nothing),
-        ("sphere-points", sphere, {}, colour_by("POINTS", "height")),
-        ("sphere-cells", sphere, {}, colour_by("CELLS", "stripes")),
-        ("sphere-moved", sphere, {"Position": [0.3, 0.1, 0.0], "Scale": [1.2, 0.6, 1.0], "Orientation": [20.0, 0.0, 40.0]}, colour_nothing),
-        ("image", wavelet, {"Scale": [0.3, 0.3, 0.3]}, colour_by("POINTS", "RTData")),
+        ("sphere-smooth", sphere, {"Interpolation": "Gouraud"}, color_nothing),
+        ("box", box, {"Interpolation": "Flat"}, color_nothing),
+        ("sphere-points", sphere, {}, color_by("POINTS", "height")),
+        ("sphere-cells", sphere, {}, color_by("CELLS", "stripes")),
+        ("sphere-moved", sphere, {"Position": [0.3, 0.1, 0.0], "Scale": [1.2, 0.6, 1.0], "Orientation": [20.0, 0.0, 40.0]}, color_nothing),
+        ("image", wavelet, {"Scale": [0.3, 0.3, 0.3]}, color_by("POINTS", "RTData")),
     )
     displays = {}
-    for name, source, properties, colouring in cases:
+    for name, source, properties, coloring in cases:
         pictures = {}
         if source not in displays:
             displays[source] = session.Settings(show(source, view, SURFACE, Specular=0.4, SpecularPower=20.0))
         shown = displays[source].shown
         displays[source].set(named(shown, properties))
         shown.Visibility = 1
-        colouring(shown, view)
+        coloring(shown, view)
         # ParaView computes no normals of an image; of the faces of a box the two must agree all the same.
         session.look(view, (2.0, 1.5, 5.0) if name == "image" else (1.5, 1.2, 4.0))
         for kind in (SURFACE, "Surface"):
@@ -126,8 +126,8 @@ def with_glyphs(view):
     columns = {x: 200 + 100 * x for x in (-1, 0, 1)}  # 300 pixels are 3 units high
     pixels = session.capture(view, "surface-with-glyphs")
     for x, wanted in ((-1, (255, 0, 0)), (0, (0, 0, 255)), (1, (255, 0, 0))):
-        found = colour_at(pixels, columns[x], 150)
-        check(found == wanted, "at %d there is colour %s, not %s" % (x, found, wanted))
+        found = color_at(pixels, columns[x], 150)
+        check(found == wanted, "at %d there is color %s, not %s" % (x, found, wanted))
     check(comparison.covered(pixels)[150 - 95, 200] and not comparison.covered(pixels)[150 - 105, 200],
           "the plane's edge is not where it belongs")
     counted = session.statistics(glyphs)
@@ -140,12 +140,12 @@ def with_glyphs(view):
         surface.Opacity = 0.5
         pictures[kind] = session.capture(view, "surface-translucent-" + ("ours" if kind == SURFACE else "paraview"))
     FAILURES.extend(comparison.against_paraview(pictures[SURFACE], pictures["Surface"], "surface-translucent"))
-    mixed = colour_at(pictures[SURFACE], 200, 150)
+    mixed = color_at(pictures[SURFACE], 200, 150)
     check(abs(mixed[0] - 128) < 4 and abs(mixed[2] - 128) < 4, "a red sphere behind blue at opacity 0.5 is %s" % (mixed,))
 
     pv.Hide(plane, view)
     pixels = session.capture(view, "surface-hidden")
-    check(colour_at(pixels, 200, 150) == (255, 0, 0), "the hidden surface still hides a sphere")
+    check(color_at(pixels, 200, 150) == (255, 0, 0), "the hidden surface still hides a sphere")
     pv.Delete(surface)
     pv.Delete(glyphs)
 
@@ -167,12 +167,12 @@ def blocks(view):
     shown.AmbientColor = shown.DiffuseColor = [0.0, 1.0, 1.0]
     for interpolated in (1, 0):
         shown.InterpolateScalarsBeforeMapping = interpolated
-        found = colour_at(session.capture(view, "surface-blocks"), 200, 150)
+        found = color_at(session.capture(view, "surface-blocks"), 200, 150)
         check(found == (0, 255, 255), "a block without the array has %s" % (found,))
     pv.Delete(shown)
 
 
-def only_colours(view):
+def only_colors(view):
     """A new color map sends colors and builds nothing; the same data again do nothing at all."""
     sphere = session.source(sphere_data())
     shown = show(sphere, view, SURFACE)
@@ -184,10 +184,10 @@ def only_colours(view):
     pv.GetColorTransferFunction("height").ApplyPreset("Black-Body Radiation", True)
     pv.Render(view)
     second = session.statistics(shown)
-    print("colour map:", {key: (first[key], second[key]) for key in first if first[key] != second[key]})
+    print("color map:", {key: (first[key], second[key]) for key in first if first[key] != second[key]})
     for key in ("structureBuilds", "instanceUploads"):
-        check(first[key] == second[key], "new colours: %s went from %s to %s" % (key, first[key], second[key]))
-    check(second["colorUploads"] == first["colorUploads"] + 1, "new colours have not been sent once")
+        check(first[key] == second[key], "new colors: %s went from %s to %s" % (key, first[key], second[key]))
+    check(second["colorUploads"] == first["colorUploads"] + 1, "new colors have not been sent once")
     session.replace_data(sphere, sphere_data())
     pv.Render(view)
     third = session.statistics(shown)
@@ -238,7 +238,7 @@ def bad_input(view):
         session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
 
         def twice():
-            session.solid(stage.show(data, SamplesPerPixel=1), COLOUR)
+            session.solid(stage.show(data, SamplesPerPixel=1), COLOR)
             stage.settings.add({"ColorArrayName": array or [None, ""]})
             pv.Render(view)
             session.look(view, (0.0, 0.0, 5.001), parallel_scale=1.5)
@@ -263,7 +263,7 @@ def main():
     like_paraview(view)
     with_glyphs(view)
     blocks(view)
-    only_colours(view)
+    only_colors(view)
     picking(view)
     bad_input(view)
     session.finish(FAILURES)

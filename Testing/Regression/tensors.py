@@ -1,5 +1,5 @@
 """Tensor glyphs: the same picture as the sizes and rotations they stand for, in every layout; bad tensors;
-colours. With the argument parts: colours by the sign of x^T D x, and axes of antisymmetric parts; with crosses: principal axes.
+colors. With the argument parts: colors by the sign of x^T D x, and axes of antisymmetric parts; with crosses: principal axes.
 
 Usage: pvpython tensors.py [parts|crosses]
 """
@@ -36,8 +36,8 @@ def picture(stage, name, data, shape, **properties):
     return session.capture(stage.view, "tensors-" + name.replace(" ", "-"))
 
 
-def colours(failures, view):
-    """The colour in the middle of a ball or a needle, lit by nothing."""
+def colors(failures, view):
+    """The color in the middle of a ball or a needle, lit by nothing."""
     data = session.poly_data(POINTS, t=numpy.array([numpy.eye(3), numpy.diag([1.0, 0.2, 0.2]), -numpy.eye(3)]).reshape(3, 9))
     points = session.source(data)
     shown = session.glyphs(points, view, ScaleFactor=0.5, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t")
@@ -49,30 +49,30 @@ def colours(failures, view):
     # Both have tables of their own, from blue to red over the data's range: -3 to 3, and 0 to 0.77.
     wanted["Trace"][0] = (180, 4, 38)
     wanted["Fractional Anisotropy"][1] = (180, 4, 38)
-    for colouring, expected in wanted.items():
-        setattr(shown, "GlyphDirectionColoring" if colouring == "Axes" else "GlyphTensorColoring", colouring)
+    for coloring, expected in wanted.items():
+        setattr(shown, "GlyphDirectionColoring" if coloring == "Axes" else "GlyphTensorColoring", coloring)
         pv.Render(view)
-        if colouring != "Axes":
-            session.cool_to_warm("t " + colouring)
+        if coloring != "Axes":
+            session.cool_to_warm("t " + coloring)
         for bar in view.Representations:  # it would stand before the glyphs
             if bar.GetProperty("ComponentTitle") is not None:
                 bar.Visibility = 0
-        image = session.capture(view, "tensors-colour-" + colouring.replace(" ", "-"))
-        for x, colour in zip((-1, 0, 1), expected):
+        image = session.capture(view, "tensors-color-" + coloring.replace(" ", "-"))
+        for x, color in zip((-1, 0, 1), expected):
             seen = middle(image, x)
-            print("%s at %d: %s" % (colouring, x, seen))
-            if colour is not None and numpy.abs(seen - numpy.array(colour)).max() > 3:
-                failures.append("%s at %d is %s instead of %s" % (colouring, x, seen, colour))
+            print("%s at %d: %s" % (coloring, x, seen))
+            if color is not None and numpy.abs(seen - numpy.array(color)).max() > 3:
+                failures.append("%s at %d is %s instead of %s" % (coloring, x, seen, color))
     table = pv.GetColorTransferFunction("anisotropy of the test")
     table.RGBPoints = [0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
     table.ColorSpace = "RGB"
     shown.GlyphTensorColoring, shown.GlyphDirectionColoring = "Fractional Anisotropy", "None"
     shown.GlyphTensorLookupTable = table
-    image = session.capture(view, "tensors-colour-table")
+    image = session.capture(view, "tensors-color-table")
     # Eigenvalues 1, 0.2, 0.2: sqrt(3/2) sqrt(0.8^2 2/3) / sqrt(1.08) = 0.770.
     if max(numpy.abs(middle(image, -1) - numpy.array([0, 255, 0])).max(),
            numpy.abs(middle(image, 0) - numpy.array([0, 59, 196])).max()) > 3:
-        failures.append("the colour map of the user gives %s, %s" % (middle(image, -1), middle(image, 0)))
+        failures.append("the color map of the user gives %s, %s" % (middle(image, -1), middle(image, 0)))
     pv.Delete(shown)
     pv.Delete(points)
 
@@ -98,7 +98,7 @@ def inner(mask):
 
 
 def signs(failures, view, size):
-    """Colours by the sign of x^T D x. Of ellipsoids the point that a pixel shows is computed; of superquadrics seen along their
+    """Colors by the sign of x^T D x. Of ellipsoids the point that a pixel shows is computed; of superquadrics seen along their
     third eigenvector those pixels count whose sign is the same at all depths within the glyph."""
     warm, cool = (0.9, 0.5, 0.1), (0.1, 0.2, 0.8)
     turn = matrix(numpy.array([0.8, 0.36, 0.48, 0.0]))
@@ -132,8 +132,8 @@ def signs(failures, view, size):
         else:
             value = numpy.array([form(at + s * along) for s in numpy.linspace(-1.0, 1.0, 65) * half[2]])
             positive, negative, least = inner(hit & (value > 0).all(axis=0)), inner(hit & (value < 0).all(axis=0)), 0.3
-        wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(colour))).max(axis=1, initial=0) > 1).sum())
-                    for mask, colour in ((positive, warm), (negative, cool)))
+        wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(color))).max(axis=1, initial=0) > 1).sum())
+                    for mask, color in ((positive, warm), (negative, cool)))
         judged = positive.sum() + negative.sum()
         words = "%s, sign of %s: %d positive, %d negative of %d covered pixels, %d wrong" % (
             shape, values, positive.sum(), negative.sum(), hit.sum(), wrong)
@@ -145,12 +145,12 @@ def signs(failures, view, size):
     stage.close()
 
 
-def signs_in_motion_and_light(failures, stage, masks, sign_colours):
-    """Going along the line of sight, a glyph in parallel projection looks as it does at rest; path-traced, both colours lie where they lay."""
+def signs_in_motion_and_light(failures, stage, masks, sign_colors):
+    """Going along the line of sight, a glyph in parallel projection looks as it does at rest; path-traced, both colors lie where they lay."""
     stage.settings.add(dict(MotionBlur=1, VelocityArray="along", ShutterTime=1.0, SamplesPerPixel=8))
     image = session.capture(stage.view, "tensors-sign-moving")[:, :, :3].astype(int)
-    wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(colour))).max(axis=1, initial=0) > 1).sum())
-                for mask, colour in zip(masks, sign_colours))
+    wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(color))).max(axis=1, initial=0) > 1).sum())
+                for mask, color in zip(masks, sign_colors))
     stage.settings.add(dict(MotionBlur=0, ShadingMode="Path Tracing", SamplesPerPixel=16))
     light = session.capture(stage.view, "tensors-sign-path")[:, :, :3].astype(int)
     reddish = light[:, :, 0] > light[:, :, 2]
@@ -262,7 +262,7 @@ def crosses(failures, view, same):
     whole = tensors((1, -1, 1))
     turn = matrix(QUATERNIONS[2])
     whole[1] = turn @ numpy.diag([-0.9, 0.0, 0.0]) @ turn.T  # only one pair
-    colour = [0.9, 0.6, 0.2]
+    color = [0.9, 0.6, 0.2]
     velocity = numpy.array([[0.3, 0.0, 0.1], [0.0, 0.4, 0.0], [-0.2, 0.2, 0.0]])
     light = {"local": {}, "occlusion": dict(ShadingMode="Ambient Occlusion", SamplesPerPixel=32),
              "paths": dict(ShadingMode="Path Tracing", SamplesPerPixel=64),
@@ -276,7 +276,7 @@ def crosses(failures, view, same):
         arrows = stages[1].show(session.poly_data(where, along=along, velocity=velocity[nearest]), "Arrow", ScaleFactor=1.1, ScaleMode="Magnitude",
                                 SelectScaleArray="along", Orient=1, SelectOrientationVectors="along", ArrowHeads="Scaled", **scripted)
         for each in (shown, arrows):
-            session.solid(each, colour)
+            session.solid(each, color)
         for lit, properties in (light if name == "Linear" else {"local": {}}).items():
             pictures = []
             for each, hidden in ((shown, arrows), (arrows, shown)):
@@ -379,8 +379,8 @@ def main():
             failures.append(shape + ": sharpness makes no difference")
     stage.hide()
 
-    # Numbers as colours: through a map of the user's, and the one of our own; of the principal direction.
-    colours(failures, view)
+    # Numbers as colors: through a map of the user's, and the one of our own; of the principal direction.
+    colors(failures, view)
 
     # Bad tensors: counted, with one message, unless they are zero; wrong lengths of tuples: one message, no glyph.
     bad = t.reshape(3, 9).copy()

@@ -75,7 +75,7 @@ def coverage(trails, count):
             axis = (b - a) / length
             along = (pixels - a) @ axis
             across = numpy.abs((pixels - a) @ [-axis[1], axis[0]])
-            # The place on the axis whose disc reaches out farthest towards a pixel; where the first disc holds the other, the first
+            # The place on the axis whose disc reaches out farthest toward a pixel; where the first disc holds the other, the first
             slope = (r - s) / length
             at = numpy.clip(along - across * slope / numpy.sqrt(1.0 - slope * slope), 0.0, length) if slope < 1.0 else 0.0
             depth = numpy.maximum(depth, r - slope * at - numpy.hypot(along - at, across))

@@ -15,7 +15,7 @@ from same_as_3d_glyphs import RESOLUTION, give_shape, ours, scene
 #: tessellations for depth peeling, which takes all of them again for every layer
 COARSER = {**RESOLUTION, "Sphere": {"ThetaResolution": 64, "PhiResolution": 64}}
 #: mean differences in levels of 255. ParaView blends each layer into 8 bits, twice for every layer: half a level each.
-COLOUR = 2.0
+COLOR = 2.0
 
 
 def peeling_view():
@@ -78,7 +78,7 @@ class Scene:
 
 
 def unlit(points):
-    """Glyphs that show their colour whatever shines on them, by two shading modes, as floats."""
+    """Glyphs that show their color whatever shines on them, by two shading modes, as floats."""
     view = peeling_view()
     shown = session.glyphs(points, view, "Sphere", samples=16, Orient=0, ScaleFactor=0.7, Illumination="Lights of the View", Ambient=1.0,
                            Diffuse=0.0, Opacity=0.3)
@@ -128,8 +128,8 @@ def edges(failures):
     ball = session.glyphs(session.source(session.poly_data(numpy.array([[0.0, 0.0, 1.0]]))), view, "Sphere", samples=16, Orient=0, ScaleFactor=1.4)
     box = session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, "Box", Orient=0, ScaleFactor=9.0, Opacity=0.999)
     box.Position = [0.0, 0.0, -5.0]
-    for shown, colour in (ball, (0.9, 0.1, 0.1)), (box, (0.2, 0.2, 0.9)):
-        session.solid(shown, colour)
+    for shown, color in (ball, (0.9, 0.1, 0.1)), (box, (0.2, 0.2, 0.9)):
+        session.solid(shown, color)
     for mode in ("Local", "Ambient Occlusion", "Path Tracing"):
         ball.ShadingMode = mode
         pv.Render(view)
@@ -151,7 +151,7 @@ def main():
                                       ("Sphere", 0.5, True), ("MeshSphere", 0.5, False)):
         mine, paraviews = (each.picture(shape, opacity, with_wall) for each in scenes)
         failures += comparison.against_paraview(
-            mine, paraviews, "translucent-%s-%g%s" % (shape, opacity, "-wall" if with_wall else ""), colour=COLOUR)
+            mine, paraviews, "translucent-%s-%g%s" % (shape, opacity, "-wall" if with_wall else ""), color=COLOR)
 
     # Path tracing stops at each layer by chance: the same in the mean. A pixel's mean of 16 samples of at most 255 levels is off by
     # 32, that of 20000 pixels by a quarter of a level.

@@ -76,10 +76,10 @@ def transparent():
     pv.Delete(view)
     if pixels.shape[2] != 4:
         return ["transparent background: the picture has %d channels" % pixels.shape[2]]
-    centre, corner = pixels[75, 100, 3], pixels[2, 2, 3]
+    center, corner = pixels[75, 100, 3], pixels[2, 2, 3]
     share = float((pixels[..., 3] > 127).mean())
-    if centre != 255 or corner != 0 or not 0.05 < share < 0.6:
-        return ["transparent background: alpha %d on a glyph, %d beside, %.1f%% opaque" % (centre, corner, 100 * share)]
+    if center != 255 or corner != 0 or not 0.05 < share < 0.6:
+        return ["transparent background: alpha %d on a glyph, %d beside, %.1f%% opaque" % (center, corner, 100 * share)]
     return []
 
 

@@ -157,7 +157,7 @@ void WritePicture(const rtg::Image& image, const std::string& path)
     for (std::uint32_t x = 0; x < image.width; ++x)
     {
       // Over white.
-      const std::uint32_t pixel = image.colour[std::size_t(row) * image.width + x], alpha = pixel >> 24;
+      const std::uint32_t pixel = image.color[std::size_t(row) * image.width + x], alpha = pixel >> 24;
       for (int channel = 0; channel < 3; ++channel)
       {
         out.put(char(((pixel >> (8 * channel) & 255) * alpha + 255 * (255 - alpha)) / 255));
@@ -171,16 +171,15 @@ void WritePicture(const rtg::Image& image, const std::string& path)
 }
 
 /// Red, green and blue by the position in the cube.
-std::vector<std::uint32_t> ColoursOf(const rtg::GlyphInstances& instances)
+std::vector<std::uint32_t> ColorsOf(const rtg::GlyphInstances& instances)
 {
-  std::vector<std::uint32_t> colours;
-  for (const glm::vec3& centre : instances.centres)
+  std::vector<std::uint32_t> colors;
+  for (const glm::vec3& center : instances.centers)
   {
-    const glm::vec3 share = 80.0f + 170.0f * (centre / benchmark::crowdSide + 0.5f);
-    colours.push_back(
-      0xff000000u | std::uint32_t(share.z) << 16 | std::uint32_t(share.y) << 8 | std::uint32_t(share.x));
+    const glm::vec3 share = 80.0f + 170.0f * (center / benchmark::crowdSide + 0.5f);
+    colors.push_back(0xff000000u | std::uint32_t(share.z) << 16 | std::uint32_t(share.y) << 8 | std::uint32_t(share.x));
   }
-  return colours;
+  return colors;
 }
 
 /// The first so many shapes.
@@ -195,9 +194,9 @@ int Demonstrate(const std::string& folder, std::uint32_t side, std::uint32_t sam
     rtg::Scene scene(device);
     const rtg::Scene::SetId set = scene.Add();
     rtg::GlyphInstances instances = benchmark::MakeInstances(crowd, 3000);
-    const std::vector<std::uint32_t> colours = ColoursOf(instances);
+    const std::vector<std::uint32_t> colors = ColorsOf(instances);
     scene.SetInstances(set, std::move(instances));
-    scene.SetColours(set, colours);
+    scene.SetColors(set, colors);
     scene.Commit();
     for (const Mode& mode : modes)
     {

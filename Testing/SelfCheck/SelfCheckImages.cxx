@@ -83,7 +83,7 @@ rtg::GlyphInstances MakeInstances(const Subject& subject, bool moves)
   std::vector<float> values(3 + coefficients.size());
   for (std::size_t i = 0; i < glyphCount; ++i)
   {
-    instances.centres.push_back(random.Vector(-0.5f, 0.5f) * benchmark::crowdSide);
+    instances.centers.push_back(random.Vector(-0.5f, 0.5f) * benchmark::crowdSide);
     instances.sizes3.push_back(random.Vector(8.0f, 18.0f));
     instances.rotations.push_back(random.Rotation());
     if (rtg::HasExponents(subject.shape))
@@ -108,7 +108,7 @@ rtg::GlyphInstances MakeInstances(const Subject& subject, bool moves)
       const auto end = [&](float side)
       {
         const glm::dvec3 squares(random.Vector(4.0f, 36.0f));
-        return rtg::SweepEnd{ glm::dvec3(instances.centres[i] + side * random.Vector(1.0f, 9.0f)),
+        return rtg::SweepEnd{ glm::dvec3(instances.centers[i] + side * random.Vector(1.0f, 9.0f)),
           { squares.x, squares.y, squares.z, random.Uniform(-1.5f, 1.5f), 0.0, 1.0 } };
       };
       const rtg::SweepEnd first = end(-1.0f);
@@ -139,7 +139,7 @@ void WriteImage(const rtg::Image& image, const std::vector<glm::vec4>& means, co
   std::ofstream out(path, std::ios::binary);
   const std::size_t pixels = std::size_t(image.width) * image.height;
   Write(out, means.data(), means.size());
-  Write(out, image.colour, pixels);
+  Write(out, image.color, pixels);
   Write(out, image.depth, pixels);
   Write(out, image.glyphIds, pixels);
   Write(out, image.normals.data(), image.normals.size());
@@ -165,13 +165,13 @@ void WriteImages(const std::string& folder)
       rtg::Scene scene(device);
       const rtg::Scene::SetId set = scene.Add();
       rtg::GlyphInstances instances = MakeInstances(subject, moves);
-      std::vector<std::uint32_t> colours;
+      std::vector<std::uint32_t> colors;
       for (std::size_t i = 0; i < instances.Count(); ++i)
       {
-        colours.push_back(0xff000000u | std::uint32_t(i * 2654435761u) >> 8);
+        colors.push_back(0xff000000u | std::uint32_t(i * 2654435761u) >> 8);
       }
       scene.SetInstances(set, std::move(instances));
-      scene.SetColours(set, colours);
+      scene.SetColors(set, colors);
       scene.Commit();
       const std::pair<const char*, rtg::Shading> modes[] = { { "local", rtg::Shading::Local },
         { "occlusion", rtg::Shading::AmbientOcclusion }, { "paths", rtg::Shading::PathTracing } };

@@ -3,7 +3,7 @@
 # and runs ctest, whose summary comes last. Failed pictures lie in build/Testing/Regression.
 # Usage: test.sh [--paraview DIR] [--strict] [--long] [CTEST-OPTION...]     DIR: a ParaView made by build_paraview.sh
 # --strict: warnings of the compiler are errors.
-# --long: also the tests labelled "long": leaks over thousands of steps, more rays, and the kernels as on a GPU.
+# --long: also the tests labeled "long": leaks over thousands of steps, more rays, and the kernels as on a GPU.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)

@@ -1,12 +1,12 @@
-#include "GlyphHighScale.h"
+#include "GlyphScalePercentile.h"
 
 #include "GlyphSample.h"
 
 //----------------------------------------------------------------------------
-double rtglyphs::GlyphHighScale::Get(
+double rtglyphs::GlyphScalePercentile::Get(
   vtkPolyData* points, const rtglyphs::GlyphSettings& settings, const rtglyphs::RayTracedRanges& hidden)
 {
-  if (!settings.NeedsHighScale())
+  if (!settings.NeedsScalePercentile())
   {
     return 0.0;
   }
