@@ -436,8 +436,8 @@ void vtkRayTracedRepresentation::UseBlocks(
   scalars.ColorMode = this->Mapper->GetColorMode();
   scalars.InterpolatesScalars = this->Mapper->GetInterpolateScalarsBeforeMapping();
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  auto* blocks = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
-  scalars.MissingIsNan = blocks && blocks->GetColorMissingArraysWithNanColor();
+  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
+  scalars.MissingIsNan = composite && composite->GetColorMissingArraysWithNanColor();
 #endif
   blocks.Update(data, attributed.Blocks, common);
 }
