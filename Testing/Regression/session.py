@@ -110,11 +110,12 @@ def with_cells(data, kind, cells):
 
 
 def add_arrays(data, attributes=None, /, **arrays):
-    """Adds arrays to a vtkDataSet: to its points, or to other attributes of it."""
+    """Adds arrays to a vtkDataSet: to its points, or to other attributes of it, which VTK 9.6 takes for false while they are empty."""
+    attributes = data.GetPointData() if attributes is None else attributes
     for name, values in arrays.items():
         array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
         array.SetName(name)
-        (attributes or data.GetPointData()).AddArray(array)
+        attributes.AddArray(array)
 
 
 def hyper_tree_grid():
