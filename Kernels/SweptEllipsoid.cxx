@@ -27,11 +27,6 @@ glm::dmat3 Thickened(const SymmetricTensor& tensor)
     glm::transpose(v);
 }
 
-Eigensystem Decompose(const glm::dmat3& m)
-{
-  return Decompose(SymmetricTensor{ m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] });
-}
-
 } // namespace
 
 void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances)
@@ -58,7 +53,7 @@ void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, 
   const double along = std::sqrt(std::max(local[0][0] - shearedY * shearedY - shearedZ * shearedZ, 0.0));
   const glm::dmat3 unit = glm::transpose(glm::dmat3(along, shearedY, shearedZ, 0, across, 0, 0, 0, down));
   const glm::dmat3 back = glm::inverse(axes * unit);
-  const Eigensystem grown = Decompose(back * growth * glm::transpose(back));
+  const Eigensystem grown = Decompose(SymmetricTensor::Of(back * growth * glm::transpose(back)));
 
   const double reach = std::sqrt(std::max(glm::dot(x, firstMatrix * x), glm::dot(x, lastMatrix * x)));
   instances.centers[index] = glm::vec3(0.5 * (first.middle + last.middle));

@@ -12,6 +12,9 @@ struct SymmetricTensor
 {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, xz = 0;
 
+  /// Of a matrix that is symmetric.
+  static SymmetricTensor Of(const glm::dmat3& m) { return { m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] }; }
+
   bool IsFinite() const;
   bool IsZero() const;
   /// Component of the largest magnitude, in magnitude.

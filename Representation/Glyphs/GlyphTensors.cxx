@@ -139,7 +139,6 @@ rtglyphs::GlyphTensors::Settings rtglyphs::GlyphTensors::Settings::Effective() c
   if (settings.Axes)
   {
     settings.Kind = none.Kind;
-    settings.Thickness = none.Thickness;
   }
   if (settings.Kind == rtg::TensorGlyphKind::Ellipsoid)
   {

@@ -1,6 +1,5 @@
 #include "RayTracedStudioLight.h"
 
-#include "Shading/Shading.h"
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
@@ -50,8 +49,7 @@ void rtglyphs::RayTracedStudioLight::Apply(rtg::ImageView& view, vtkRenderer* re
     rtg::Light key;
     key.kind = rtg::Light::Kind::Directional;
     key.direction = -toKey;
-    key.color =
-      rtg::shading::DisplayToLinear(settings.environmentColor) * (settings.lightIntensity * keyFraction / largest);
+    key.color = glm::vec3(settings.lightIntensity * keyFraction / largest);
     key.angularRadius = keyRadius;
     view.lights.push_back(key);
   }

@@ -97,14 +97,7 @@ private:
     const glm::dvec3 middle = box.Empty() ? glm::dvec3(0.0) : 0.5 * (box.lower + box.upper);
     this->Out.Instances.origin = middle;
     this->Extent = box.Empty() ? 0.0 : glm::length(box.upper - middle);
-    rtglyphs::RayTracedParallel::ForChunks(count,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          this->Places[i] -= middle;
-        }
-      });
+    rtglyphs::RayTracedParallel::ForEach(count, [&](vtkIdType i) { this->Places[i] -= middle; });
   }
 
   // Of the covariances in the world, and their largest half-axes: negative if a matrix has no root.
@@ -114,23 +107,19 @@ private:
     const rtglyphs::GlyphTensors::Order order(this->Radii, rtglyphs::GlyphTensors::VTK_ORDER);
     const glm::dmat3 linear = this->How.Radius * this->Placement.Linear;
     this->Ellipsoids.resize(this->Radii->GetNumberOfTuples());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Ellipsoids.size()),
-      [&](vtkIdType begin, vtkIdType end)
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(this->Ellipsoids.size()),
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        double tuple[9];
+        this->Radii->GetTuple(i, tuple);
+        const auto matrix = rtg::SymmetricTensor::Of(linear * order(tuple).Matrix() * glm::transpose(linear));
+        double radius = HUGE_VAL;
+        if (matrix.IsFinite())
         {
-          double tuple[9];
-          this->Radii->GetTuple(i, tuple);
-          const glm::dmat3 m = linear * order(tuple).Matrix() * glm::transpose(linear);
-          const rtg::SymmetricTensor matrix{ m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
-          double radius = HUGE_VAL;
-          if (matrix.IsFinite())
-          {
-            const glm::dvec3 values = rtg::Decompose(matrix).values;
-            radius = values[2] < -rounding * std::abs(values[0]) ? -1.0 : std::sqrt(std::max(values[0], 0.0));
-          }
-          this->Ellipsoids[i] = { matrix, radius };
+          const glm::dvec3 values = rtg::Decompose(matrix).values;
+          radius = values[2] < -rounding * std::abs(values[0]) ? -1.0 : std::sqrt(std::max(values[0], 0.0));
         }
+        this->Ellipsoids[i] = { matrix, radius };
       });
   }
 
@@ -342,14 +331,11 @@ private:
     all.motion.velocities.resize(ofPoints.velocities.empty() ? 0 : count);
     all.motion.angularVelocities.resize(ofPoints.velocities.empty() ? 0 : count);
     all.motion.accelerations.resize(ofPoints.accelerations.empty() ? 0 : count);
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(count),
-      [&](vtkIdType begin, vtkIdType end)
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(count),
+      [&](vtkIdType i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          this->Ellipsoids.empty() ? this->PlacePiece(i) : this->PlaceSweep(i);
-          this->MovePiece(i, ofPoints);
-        }
+        this->Ellipsoids.empty() ? this->PlacePiece(i) : this->PlaceSweep(i);
+        this->MovePiece(i, ofPoints);
       });
     this->Motion.Finish(all.motion);
     this->StoreLowParts();

@@ -40,7 +40,7 @@ inline SymmetricTensor TensorOf(const glm::dvec3& values, const glm::dquat& rota
   {
     m += values[k] * glm::outerProduct(r[k], r[k]);
   }
-  return { m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
+  return SymmetricTensor::Of(m);
 }
 
 } // namespace rtg::testing

@@ -79,7 +79,7 @@ public:
     const glm::dmat3 axes = glm::mat3_cast(upright ? glm::dquat(1, 0, 0, 0) : glm::angleAxis(angle, this->Direction()));
     const glm::dvec3 squares = half * half;
     const glm::dmat3 m = axes * glm::dmat3(squares.x, 0, 0, 0, squares.y, 0, 0, 0, squares.z) * glm::transpose(axes);
-    return { m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
+    return rtg::SymmetricTensor::Of(m);
   }
 
   rtg::GlyphInstances Sweep(const Situation& situation, rtg::SweepEnd (&ends)[2])

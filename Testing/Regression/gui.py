@@ -145,6 +145,12 @@ def panel(window, view, reader, shown):
     return failures
 
 
+def shows(window, label, seen, what):
+    """The panel has this row or section where it is wanted, and not elsewhere."""
+    done = window.wait(lambda: (label in window.labels("propertiesPanel")) == seen, 5)
+    return [] if done else ["%s: %s is %s" % (what, label, "hidden" if seen else "shown")]
+
+
 def colored(window, view, shown):
     """ParaView's section Coloring is shown where it says the truth; numbers can be chosen for shapes that show them."""
     failures = []
@@ -158,8 +164,7 @@ def colored(window, view, shown):
     for coloring, seen in (("Trace", False), ("None", True)):
         shown.GlyphTensorColoring = coloring
         pv.Render(view)
-        if not window.wait(lambda: ("Coloring" in window.labels("propertiesPanel")) == seen, 5):
-            failures.append("GlyphTensorColoring %s: the section Coloring is %s" % (coloring, "hidden" if seen else "shown"))
+        failures += shows(window, "Coloring", seen, "GlyphTensorColoring %s" % coloring)
     return failures
 
 
@@ -190,8 +195,7 @@ def sized(window, view, reader, shown):
     for array, ordered in (("six", True), ("nine", False)):
         joined.GlyphTensorArray = array
         pv.Render(view)
-        if not window.wait(lambda: ("Tensor Components" in window.labels("propertiesPanel")) == ordered, 5):
-            failures.append("Tensor Components of %s is %s" % (array, "hidden" if ordered else "shown"))
+        failures += shows(window, "Tensor Components", ordered, "GlyphTensorArray %s" % array)
     pv.Delete(joined)
     pv.Delete(columns)
     pv.SetActiveSource(reader)

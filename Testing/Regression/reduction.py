@@ -7,6 +7,7 @@ import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
 
+import accumulation
 import comparison
 import session
 from checks import Checks, information, refine, stepwise
@@ -85,23 +86,12 @@ def pictures(view, shown, what):
     shown.ScaleFactor = 1.0001 * shown.ScaleFactor # builds anew
     pv.Render(view)
     waits = information(shown, "RefinementProgress") < 1.0
-    first = session.pixels_of(grab(view))
-    session.write_png(session.output("reduction-%s-first.png" % what), grab(view))
+    first = accumulation.shown_by(view)
     done = refine(view, shown)
-    last = session.pixels_of(grab(view))
-    session.write_png(session.output("reduction-%s.png" % what), grab(view))
+    last = accumulation.shown_by(view)
+    for name, picture in (("%s-first" % what, first), (what, last)):
+        comparison.write_image(session.output("reduction-%s.png" % name), picture)
     return first, last, waits and done
-
-
-def grab(view):
-    """What the window shows."""
-    from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
-    window = vtkWindowToImageFilter()
-    window.SetInput(view.SMProxy.GetRenderWindow())
-    window.ShouldRerenderOff()
-    window.ReadFrontBufferOff()
-    window.Update()
-    return window.GetOutput()
 
 
 def set_detail(view, threshold):
