@@ -334,18 +334,18 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
 
 //----------------------------------------------------------------------------
 // Colors have the range of all data.
-void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, const rtglyphs::RayTracedBlocks* blocks)
+void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
 {
-  this->Common.Parts.Mapper->SetAside(blocks != nullptr);
-  this->Layers.SetAside(blocks != nullptr);
-  this->Reduced.SetAside(!blocks);
-  if (!blocks)
+  this->Common.Parts.Mapper->SetAside(reduced);
+  this->Layers.SetAside(reduced);
+  this->Reduced.SetAside(!reduced);
+  if (!reduced)
   {
     return;
   }
   this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
   rtglyphs::GlyphLayers::Layer& layer = this->Reduced[0];
-  layer.Follow(*blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
+  layer.Follow(this->Common.Reduced, this->Common.Parts.Actor, this->Common.SelectionColor);
   layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));
   layer.Mapper->SetTensorTable(this->TensorTable);
   const double* range = &this->Common.Summary[rtglyphs::DataSummary::LEAST_OF_TENSORS];

@@ -76,7 +76,7 @@ public:
 
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
   void Configure(const Frame& frame) override;
-  void ShowReduced(const Frame& frame, const RayTracedBlocks* blocks) override;
+  void ShowReduced(const Frame& frame, bool reduced) override;
   void Show(bool visible) override;
   void SetLayerBounds(const double bounds[6]) override
   {

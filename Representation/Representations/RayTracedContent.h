@@ -34,7 +34,8 @@ namespace rtglyphs
 struct RayTracedCommon
 {
   RayTracedTime Time;
-  RayTracedBlocks Blocks; // of what was last delivered or rendered
+  RayTracedBlocks Blocks;  // of what was last delivered or rendered
+  RayTracedBlocks Reduced; // of what Reduce() has made of it
   RayTracedParts Parts;
   bool HasData = false; // a process that only renders has none
   DataSummary::Values Summary = DataSummary::None();
@@ -106,14 +107,14 @@ public:
   ///@{
   /**
    * Less that shows nearly the same as Common.Blocks, those of `data`, within these bounds, for frames that must come
-   * at once; `resolution` is ParaView's, in [0, 1]. Null: there is none. And showing its blocks in place of what
-   * Configure() has configured; null: that.
+   * at once; `resolution` is ParaView's, in [0, 1]. Null: there is none. And whether its blocks, Common.Reduced, are
+   * shown in place of what Configure() has configured.
    */
   virtual vtkDataObject* Reduce(vtkDataObject* /*data*/, const double /*bounds*/[6], double /*resolution*/)
   {
     return nullptr;
   }
-  virtual void ShowReduced(const Frame&, const RayTracedBlocks* /*blocks*/) {}
+  virtual void ShowReduced(const Frame&, bool /*reduced*/) {}
   ///@}
 
 protected:

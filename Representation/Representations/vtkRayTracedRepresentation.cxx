@@ -53,11 +53,19 @@ struct ScreenshotState : vtkPVRenderView
 }
 
 //----------------------------------------------------------------------------
+vtkRayTracedRepresentation::Shown::Shown(rtglyphs::RayTracedBlocks& blocks)
+  : Blocks(blocks)
+{
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   : Glyphs(this->Common)
   , Surface(this->Common)
   , Tubes(this->Common)
   , Content(&this->Glyphs)
+  , All(this->Common.Blocks)
+  , Reduced(this->Common.Reduced)
 {
   this->SetNumberOfInputPorts(PORTS);
   this->RequestGhostCellsIfNeeded = false;
@@ -234,9 +242,9 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 
 //----------------------------------------------------------------------------
 // Those of everything shown of gathered or delivered points, before the actor's transform.
-const double* vtkRayTracedRepresentation::GetDataBounds(vtkPolyData* points)
+const double* vtkRayTracedRepresentation::GetBounds(vtkPolyData* points, Shown& shown)
 {
-  return this->Bounds.Get(points, this->Content->GetAllSizes(points), this->Common.Blocks.GetHidden());
+  return shown.Bounds.Get(points, this->Content->GetAllSizes(points), shown.Blocks.GetHidden());
 }
 
 //----------------------------------------------------------------------------
@@ -289,7 +297,7 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   // The superclass would fill attributes of blocks for its mapper and for bounds, neither of which is used.
   if (std::exchange(this->BlockAttrChanged, false))
   {
-    this->Whole.Data = this->Part.Data = nullptr;
+    this->All.Data = this->Reduced.Data = nullptr;
   }
   this->BlockAttributeTime.Modified();
   this->VisibleDataBoundsTime.Modified();
@@ -362,7 +370,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     this->Common.HasData = this->GetNumberOfInputConnections(0) > 0;
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     this->Piece = vtkPVView::GetPiece(inInfo, this);
-    this->UseBlocks(this->Piece, this->Common.Blocks, this->Whole);
+    this->Show(this->Piece, this->All);
     this->Content->Deliver(inInfo, this, /*lod=*/false);
     vtkPolyData* points = this->Common.Blocks.GetPoints();
     if (this->Common.HasData)
@@ -371,7 +379,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
         points, [&](double& unitSize) { return this->Content->GetSizes(points, unitSize); }, this->GetUpdateTime());
     }
     double bounds[6];
-    std::copy_n(this->GetDataBounds(points), 6, bounds);
+    std::copy_n(this->GetBounds(points, this->All), 6, bounds);
     rtglyphs::ExtendBounds(this->MakeImages(points, this->Piece, /*together=*/true), bounds);
     rtglyphs::RayTracedParts& parts = this->Common.Parts;
     parts.Follow(this->Actor);
@@ -405,24 +413,15 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
 }
 
 //----------------------------------------------------------------------------
-// Null: the content has none.
-vtkDataObject* vtkRayTracedRepresentation::Reduce(vtkDataObject* data, double resolution)
-{
-  vtkPolyData* points = this->Common.Blocks.GetPoints();
-  return points && data ? this->Content->Reduce(data, this->GetDataBounds(points), resolution) : nullptr;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::UseBlocks(
-  vtkDataObject* data, rtglyphs::RayTracedBlocks& blocks, Attributed& attributed)
+void vtkRayTracedRepresentation::Show(vtkDataObject* data, Shown& shown)
 {
   const vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (!attributed.Data || data != attributed.Data || time != attributed.Time)
+  if (!shown.Data || data != shown.Data || time != shown.Time)
   {
-    this->PopulateBlockAttributes(attributed.Blocks, data);
-    attributed.Blocks->Modified();
-    attributed.Data = data;
-    attributed.Time = time;
+    this->PopulateBlockAttributes(shown.Attributes, data);
+    shown.Attributes->Modified();
+    shown.Data = data;
+    shown.Time = time;
   }
   rtglyphs::RayTracedBlocks::Attributes common;
   rtglyphs::RayTracedBlocks::Coloring& scalars = common.Scalars;
@@ -439,7 +438,7 @@ void vtkRayTracedRepresentation::UseBlocks(
   auto* composite = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
   scalars.MissingIsNan = composite && composite->GetColorMissingArraysWithNanColor();
 #endif
-  blocks.Update(data, attributed.Blocks, common);
+  shown.Blocks.Update(data, shown.Attributes, common);
 }
 
 //----------------------------------------------------------------------------
@@ -547,7 +546,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   // A selection may come before new points have been delivered: it finds what is shown.
   if (delivered || !this->Piece)
   {
-    this->UseBlocks(delivered, this->Common.Blocks, this->Whole);
+    this->Show(delivered, this->All);
     parts.Mapper->SetBlocks(this->Common.Blocks);
   }
   vtkPolyData* points = parts.Mapper->GetPoints();
@@ -560,25 +559,26 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   const bool first = stepwise && !lod && !capture && !(this->ReducedFirst && scene->HasPicture()) && delivered &&
     static_cast<double>(delivered->GetActualMemorySize()) > 1024.0 * view->GetLODRenderingThreshold() &&
     parts.Mapper->NeedsBuild(parts.Actor);
-  this->PieceLOD = lod || first ? this->Reduce(delivered, view->GetLODResolution()) : nullptr;
+  this->PieceLOD = points && delivered && (lod || first)
+    ? this->Content->Reduce(delivered, this->GetBounds(points, this->All), view->GetLODResolution())
+    : nullptr;
   const bool reduced = this->PieceLOD != nullptr;
+  Shown& shown = reduced ? this->Reduced : this->All;
   this->ReducedFirst = reduced && first;
   if (reduced)
   {
-    this->UseBlocks(this->PieceLOD, this->Reduced, this->Part);
     delivered = this->PieceLOD;
-    points = this->Reduced.GetPoints();
+    this->Show(delivered, shown);
+    points = shown.Blocks.GetPoints();
   }
   if (this->ReducedFirst)
   {
     scene->ExpectAnother();
   }
-  this->Content->ShowReduced(frame, reduced ? &this->Reduced : nullptr);
+  this->Content->ShowReduced(frame, reduced);
   vtkNew<vtkPolyData> nothing;
   double bounds[6];
-  std::copy_n(reduced ? this->ReducedBounds.Get(points, this->Content->GetAllSizes(points), this->Reduced.GetHidden())
-                      : this->GetDataBounds(points ? points : nothing.Get()),
-    6, bounds);
+  std::copy_n(this->GetBounds(points ? points : nothing.Get(), shown), 6, bounds);
   rtg::PeriodicImages images = this->MakeImages(points, delivered, collective);
   rtglyphs::ExtendBounds(images, bounds);
   // In an unbounded domain no sky is visible: light from any distance meets only what is shown.
@@ -590,8 +590,8 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   this->SetPartBounds(bounds);
   *parts.Images = rtglyphs::Moved(images, parts.Actor->GetMatrix());
   scene->SetFrameKind(capture, collective, view->GetUseOrderedCompositing());
-  parts.Mapper->SetDataStatistics({ this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(),
-    this->GatherSeconds, this->Bounds.GetSeconds() });
+  parts.Mapper->SetDataStatistics({ this->GetUniqueIdentifier(), this->Gathers, this->All.Bounds.GetBuilds(),
+    this->GatherSeconds, this->All.Bounds.GetSeconds() });
 }
 
 //----------------------------------------------------------------------------

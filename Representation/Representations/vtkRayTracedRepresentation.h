@@ -333,10 +333,10 @@ private:
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
-  struct Attributed;
-  void UseBlocks(vtkDataObject* data, rtglyphs::RayTracedBlocks& blocks, Attributed& attributed);
+  struct Shown;
+  void Show(vtkDataObject* data, Shown& shown);
   rtg::PeriodicImages MakeImages(vtkDataObject* points, vtkDataObject* data, bool together);
-  const double* GetDataBounds(vtkPolyData* points);
+  const double* GetBounds(vtkPolyData* points, Shown& shown);
   vtkDataObject* Reduce(vtkDataObject* data, double resolution);
 
   // The render side
@@ -353,22 +353,23 @@ private:
   rtglyphs::TubeContent Tubes;
   rtglyphs::RayTracedContent* Content; // one of these
 
-  rtglyphs::GlyphBounds Bounds;
+  struct Shown
+  {
+    explicit Shown(rtglyphs::RayTracedBlocks& blocks);
+    rtglyphs::RayTracedBlocks& Blocks;
+    rtglyphs::GlyphBounds Bounds;
+    vtkNew<vtkCompositeDataDisplayAttributes> Attributes; // of Data's blocks, as they were at Time
+    vtkDataObject* Data = nullptr;                        // only to be compared
+    vtkMTimeType Time = 0;
+  };
+  Shown All;
+  Shown Reduced; // what the content makes of it for frames that must come at once
   rtglyphs::RayTracedSelected Selected;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
   vtkSmartPointer<vtkDataObject> Piece, PieceLOD; // gathered, not yet delivered
-  struct Attributed
-  {
-    vtkNew<vtkCompositeDataDisplayAttributes> Blocks; // of the data, as they were at that time
-    vtkDataObject* Data = nullptr;                    // only to be compared
-    vtkMTimeType Time = 0;
-  };
-  Attributed Whole, Part;            // of Common.Blocks, and of Reduced
-  rtglyphs::RayTracedBlocks Reduced; // of what the content makes for frames that must come at once
-  rtglyphs::GlyphBounds ReducedBounds;
-  bool ReducedFirst = false;                 // what the last frame at rest has shown
-  bool Guarded = false, LacksMemory = false; // see WithinMemory()
+  bool ReducedFirst = false;                      // whether the last frame at rest has shown it
+  bool Guarded = false, LacksMemory = false;      // see WithinMemory()
   rtglyphs::RayTracedPeriodic Periodic;
   std::string PeriodicProblem; // that has been reported
   rtglyphs::RayTracedSection Section;
