@@ -39,14 +39,14 @@ def at(time, *path):
 
 def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0, lens=0.0, bar=None, **properties):
     """raytracedglyphs.Figure() with few samples, whose noise is smoothed. camera: position, focal point. lens: its diameter; it is focused on the
-    focal point. bar: array, largest value, title, colors, place."""
+    focal point. bar: array, least and largest value, title, colors, place."""
     shown = raytracedglyphs.Figure(source, kind, size=SIZE, colors=bar[0] if bar else "", SamplesPerPixel=samples, Denoising="Always", **properties)
     view = pv.GetActiveView()
     if bar:
         table = pv.GetColorTransferFunction(bar[0])
-        simulation.scalar_bar(table, shown, view, (0.0, bar[1]), "Viridis", bar[2], bar[4])
-        table.ColorSpace = "RGB"
-        table.RGBPoints = [value * (bar[1] if i % 4 == 0 else 1.0) for i, value in enumerate(bar[3])]
+        simulation.scalar_bar(table, shown, view, bar[1], "Viridis", bar[2], bar[4])
+        table.ColorSpace, (least, largest) = "RGB", bar[1]
+        table.RGBPoints = [least + value * (largest - least) if i % 4 == 0 else value for i, value in enumerate(bar[3])]
     if camera:
         simulation.look(view, *camera, up)
         view.CameraViewAngle, view.CameraFocalDisk = angle, lens
@@ -60,7 +60,7 @@ def vessel(data, folder):
     series = at(-1, folder, "injection.vtk.series")
     figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4,
            Section="Plane", SectionOrigin=[0.0, 0.0, -0.5], SectionNormal=[0.0, 0.0, -1.0])  # lets light in from above
-    figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", 5.0, "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
+    figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", (0.0, 5.0), "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
            SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
            camera=((1.2, 5.6, -3.4), (1.62, 0.0, 0.11)), up=(0.0, 0.0, -1.0), angle=21.5,
            **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
@@ -68,7 +68,7 @@ def vessel(data, folder):
 
 def grains(data, time, camera, **properties):
     """Grains that a ball has hit, by speed, on a ground that catches their shadows."""
-    figure(at(time, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", 8.0, "speed", EMBER, (0.63, 0.86)), Orient=0,
+    figure(at(time, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", (0.0, 8.0), "speed", EMBER, (0.63, 0.86)), Orient=0,
            ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0, GroundShadow="Below", **properties)
 
 
@@ -87,6 +87,22 @@ def trails(data, _):
     grains(data, 1.2, ((9.0, -38.0, 14.0), (14.3, 14.0, 7.6)), angle=32.0, TrailSteps=4, PointIdArray="id")
 
 
+def context(data, _):
+    """Most grains blurred, so that where they go is seen; those of interest sharp."""
+    series = at(0.8, data, "impact", "impact.vtk.series")
+    chosen = pv.Calculator(Input=series, ResultArrayName="context", Function="if(id-9*floor(id/9)<1,0,1)")
+    shown = figure(chosen, "Sphere", samples=32, bar=("velocity", (0.0, 8.0), "speed", EMBER, (0.63, 0.86)), Orient=0, ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0,
+                   GroundShadow="Below", MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25, MotionBlurMask="context",
+                   camera=((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), angle=28.8)
+
+
+def periodic(data, _):
+    """Molecules of a liquid crystal, in color, and one image of their periodic box on either side, along two edges."""
+    figure(at(-1, data, "nematic", "nematic.vtk.series"), "Sphere", Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion", SelectScaleArray="shape",
+           ScaleMode="Vector Components", ScaleFactor=1.0, GlyphDirectionColoring="Axes", PeriodicBoundary=1, PeriodicImages=[1, 1, 0],
+           camera=((60.0, -48.0, 60.0), (12.6, 11.6, 10.5)), angle=28.0)
+
+
 def fibers(_, folder):
     """Diffusion tensors of a bundle of fibers along a helix, by principal direction, with occlusion and shadows."""
     inside = pv.Threshold(Input=pv.OpenDataFile(made("helix.py", os.path.join(folder, "helix.vtk"), "40")),
@@ -100,7 +116,7 @@ def chains(data, folder):
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
     strong = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["CELLS", "force"], LowerThreshold=40.0, UpperThreshold=1e9)
     thick = pv.Calculator(Input=strong, AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", samples=40, bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
+    figure(thick, "Tubes", samples=40, bar=("force", (0.0, 990.0), "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
            GroundShadow="Below", camera=((8.6, -15.2, 13.0), (14.2, 13.5, 2.2)), angle=25.0, lens=1.0)
 
 
@@ -110,7 +126,7 @@ def stress(data, _):
     pressure = pv.Calculator(Input=hit, ResultArrayName="pressure", Function="-(stress_XX+stress_YY+stress_ZZ)/3")
     loaded = pv.Threshold(Input=pressure, Scalars=["POINTS", "pressure"], LowerThreshold=25.0, UpperThreshold=3000.0)
     figure(loaded, "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="xx yy zz xy xz yz", GlyphScaleFunction="Cube Root", ScaleFactor=0.16,
-           bar=("pressure", 350.0, "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.0)), angle=25.0)
+           bar=("pressure", (0.0, 350.0), "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.0)), angle=25.0)
 
 
 def packing(_, folder):
@@ -135,11 +151,11 @@ def streamlines(*_):
     flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
     lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
-    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.02)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
+    figure(lines, "Tubes", bar=("flow", (0.0, 2.4), "speed", RAINBOW, (0.63, 0.02)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails,
+PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails, "context": context, "periodic": periodic,
             "crossing": crossing, "streamlines": streamlines}
 
 

@@ -152,7 +152,12 @@ def figure(name, part, case, checks):
     for key in [*wanted, "GlyphShape"]:
         checks.equal("%s: %s of the figure" % (name, key), str(shown.GetPropertyValue(key)), str(case["shown"].GetPropertyValue(key)))
     picture = session.read_image(path)
-    checks.true(name + ": the figure is empty", (picture != picture[0, 0]).any())
+    covered = (picture != picture[0, 0]).any(axis=2)
+    checks.true(name + ": the figure is empty", covered.any())
+    # The scalar bar is lower right; the glyphs' bounds fill nine tenths of the width or of the height.
+    left, above = covered.any(axis=0).argmax() / covered.shape[1], covered.any(axis=1).argmax() / covered.shape[0]
+    checks.within(name + ": margin of the figure", float(min(left, above)), 0.0, 0.17)
+    checks.true(name + ": nothing stands out from white", (picture[covered, :3].min(axis=1) < 192).any())
     pv.Delete(pv.GetActiveView())
 
 
