@@ -8,18 +8,16 @@ import os
 import subprocess
 import sys
 
+import numpy
 import paraview.simple as pv
 
 import simulation
+from simulation import EMBER, RAINBOW
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
 import raytracedglyphs  # noqa: E402
 
 SIZE = [int(value) for value in sys.argv[3:5]] or [1600, 1000]
-#: From pale gray, which leaves what is slow or weak in the background, over yellow and orange to dark red
-EMBER = (0.0, 0.78, 0.79, 0.81, 0.3, 0.95, 0.78, 0.45, 0.6, 0.90, 0.42, 0.10, 1.0, 0.55, 0.04, 0.06)
-#: From blue over green to red, none of them pale
-RAINBOW = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
 #: Arnold, Beltrami and Childress: a flow along which the vorticity is the velocity
 FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+cos(0.4*coordsZ))+kHat*(0.7*sin(0.4*coordsY)+0.8*cos(0.4*coordsX))"
 
@@ -43,10 +41,8 @@ def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0
     shown = raytracedglyphs.Figure(source, kind, size=SIZE, colors=bar[0] if bar else "", SamplesPerPixel=samples, Denoising="Always", **properties)
     view = pv.GetActiveView()
     if bar:
-        table = pv.GetColorTransferFunction(bar[0])
-        simulation.scalar_bar(table, shown, view, bar[1], "Viridis", bar[2], bar[4])
-        table.ColorSpace, (least, largest) = "RGB", bar[1]
-        table.RGBPoints = [least + value * (largest - least) if i % 4 == 0 else value for i, value in enumerate(bar[3])]
+        array, limits, title, colors, place = bar
+        simulation.scalar_bar(pv.GetColorTransferFunction(array), shown, view, limits, colors, title, place)
     if camera:
         simulation.look(view, *camera, up)
         view.CameraViewAngle, view.CameraFocalDisk = angle, lens
@@ -138,6 +134,14 @@ def packing(_, folder):
            camera=((1.1, -1.3, 1.25), (0.5, 0.46, 0.49)), angle=32.0)
 
 
+def superquadrics(*_):
+    """Exponents from 0.4 to 20."""
+    values, count = [0.4, 0.7, 1.0, 2.0, 4.0, 20.0], range(6)
+    data = simulation.source(numpy.array([(1.12 * i, 0.0, 1.12 * j) for j in count for i in count]), exponents=numpy.array([(values[i], values[j]) for j in count for i in count]))
+    figure(data, "Superquadric", GlyphExponentArray="exponents", ScaleFactor=1.0, Orient=0, Scaling=0, GroundShadow="Below", DiffuseColor=[0.86, 0.60, 0.25],
+           camera=((0.2, -10.5, 5.0), (2.8, 0.0, 2.7)), angle=38.0)
+
+
 def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
@@ -155,7 +159,7 @@ def streamlines(*_):
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails, "context": context, "periodic": periodic,
+PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails, "context": context, "superquadrics": superquadrics, "periodic": periodic,
             "crossing": crossing, "streamlines": streamlines}
 
 

@@ -20,5 +20,5 @@ raytracedglyphs.Figure(
     session.source(session.poly_data(places, spins=spins)), "Arrow", colors="", GroundShadow="None", SamplesPerPixel=32, GlyphDirectionColoring="Sphere", GlyphAnchor="Center",
     ScaleFactor=1.5, SelectOrientationVectors="spins", **{"GlyphType.ShaftRadius": 0.07, "GlyphType.TipRadius": 0.2})
 view = pv.GetActiveView()
-view.CameraPosition, view.CameraFocalPoint, view.CameraViewAngle = [0, -34, 44], [0, -0.5, 0], 37.5
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewAngle = [0, -34, 44], [0, -0.5, 0], 39.5
 pv.SaveScreenshot(sys.argv[1], view, ImageResolution=[int(size) for size in sys.argv[2:4]] or [1600, 1200])

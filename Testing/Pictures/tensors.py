@@ -12,8 +12,8 @@ from vtkmodules.numpy_interface import dataset_adapter
 
 import cover
 import session
-from cover import EMBER, RAINBOW, figure
-from simulation import begin, save, source
+from cover import figure
+from simulation import EMBER, RAINBOW, begin, save, source
 
 
 def arrays_of(reader):
@@ -45,7 +45,7 @@ def point_load(data, _):
     """Stress in a half space under a point load, cut through it: glyphs in front are left out as a whole."""
     shown = figure(pv.OpenDataFile(os.path.join(data, "point_load", "point_load.vtk")), "Normal Stress", GlyphTensorColoring="Sign", GlyphScaleFunction="Logarithm",
            GroundShadow="None", Section="Plane", SectionCaps="Whole Glyphs", SectionOrigin=[0.0, -0.01, 0.0], SectionNormal=[0.0, 1.0, 0.0],
-           camera=((0.6, -4.2, 0.6), (0.0, 0.0, -0.98)), angle=34.0)
+           camera=((0.6, -4.2, 0.6), (0.0, 0.0, -0.98)), angle=27.5)
     shown.ScaleFactor *= 0.85
 
 
@@ -116,7 +116,7 @@ def third_party(path):
     if path.endswith("tensors.vtk"):
         points, arrays = arrays_of(pv.OpenDataFile(path))
         figure(source(points, t=arrays["tensors1"].reshape(-1, 9)), "Signed Tensor Superquadric", GlyphTensorArray="t", GlyphTensorColoring="Sign", ScaleFactor=0.25,
-               GroundShadow="None", camera=((2.4, -3.0, 1.9), (0.62, 0.5, 0.4)))
+               camera=((2.4, -3.0, 1.9), (0.62, 0.5, 0.4)))
         return
     raw = numpy.fromfile(os.path.splitext(path)[0] + ".raw", dtype=">f4").reshape(40, 39, 38, 7).astype(float)
     axes = [numpy.linspace(-2.0, 2.0, n) for n in (38, 39, 40)]
@@ -128,7 +128,7 @@ def third_party(path):
     anisotropy = numpy.sqrt(1.5) * norms(apart) / numpy.maximum(norms(diagonal_first), 1e-30)
     inside = (raw[..., 0].ravel() > 0.5) & (anisotropy > 0.6)
     figure(source(numpy.array([x, y, z]).T[inside], d=diagonal_first[inside]), "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout="xx yy zz xy yz xz",
-           GlyphDirectionColoring="Axes", ScaleFactor=5.2 / 39 / numpy.quantile(norms(diagonal_first[inside]), 0.9), camera=((5.6, -7.3, 4.4), (0.0, 0.0, 0.0)))
+           GlyphDirectionColoring="Axes", ScaleFactor=5.2 / 39 / numpy.quantile(norms(diagonal_first[inside]), 0.9), camera=((5.6, -7.3, 4.4), (0.0, 0.0, 0.0)), angle=26.0)
 
 
 def main():
