@@ -128,7 +128,7 @@ def third_party(path):
     anisotropy = numpy.sqrt(1.5) * norms(apart) / numpy.maximum(norms(diagonal_first), 1e-30)
     inside = (raw[..., 0].ravel() > 0.5) & (anisotropy > 0.6)
     figure(source(numpy.array([x, y, z]).T[inside], d=diagonal_first[inside]), "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout="xx yy zz xy yz xz",
-           GlyphDirectionColoring="Axes", ScaleFactor=5.2 / 39 / numpy.quantile(norms(diagonal_first[inside]), 0.9), camera=((5.6, -7.3, 4.4), (0.0, 0.0, 0.0)), angle=26.0)
+           GlyphDirectionColoring="Axes", ScaleFactor=5.2 / 39 / numpy.quantile(norms(diagonal_first[inside]), 0.9), camera=((5.6, -7.3, 4.4), (0.0, 0.0, -0.12)), angle=29.0)
 
 
 def main():
