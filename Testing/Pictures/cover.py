@@ -62,9 +62,13 @@ def vessel(data, folder):
            **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
 
 
-def grains(data, time, camera, **properties):
-    """Grains that a ball has hit, by speed, on a ground that catches their shadows."""
-    figure(at(time, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", (0.0, 8.0), "speed", EMBER, (0.63, 0.86)), Orient=0,
+def grains(data, time, camera, sharp="", **properties):
+    """Grains that a ball has hit, by speed, on a ground that catches their shadows. sharp: a condition; grains for which it holds are not blurred."""
+    shown = at(time, data, "impact", "impact.vtk.series")
+    if sharp:
+        shown = pv.Calculator(Input=shown, ResultArrayName="context", Function="if(%s,0,1)" % sharp)
+        properties["MotionBlurMask"] = "context"
+    figure(shown, "Sphere", camera=camera, bar=("velocity", (0.0, 8.0), "speed", EMBER, (0.63, 0.86)), Orient=0,
            ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0, GroundShadow="Below", **properties)
 
 
@@ -73,23 +77,19 @@ def impact(data, _):
     grains(data, 0.8, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)), angle=26.0)
 
 
-def motion(data, _):
+def motion(data, _, **properties):
     """The grains while the shutter is open: streaks show how fast and where to."""
-    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), samples=32, angle=28.8, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), samples=32, angle=28.8, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25, **properties)
+
+
+def context(data, folder):
+    """Most grains blurred, so that where they go is seen; those of interest sharp."""
+    motion(data, folder, sharp="id-9*floor(id/9)<1")
 
 
 def trails(data, _):
     """Grains that the ball has thrown up, and where they were in the steps before."""
     grains(data, 1.2, ((9.0, -38.0, 14.0), (14.3, 14.0, 7.6)), angle=32.0, TrailSteps=4, PointIdArray="id")
-
-
-def context(data, _):
-    """Most grains blurred, so that where they go is seen; those of interest sharp."""
-    series = at(0.8, data, "impact", "impact.vtk.series")
-    chosen = pv.Calculator(Input=series, ResultArrayName="context", Function="if(id-9*floor(id/9)<1,0,1)")
-    shown = figure(chosen, "Sphere", samples=32, bar=("velocity", (0.0, 8.0), "speed", EMBER, (0.63, 0.86)), Orient=0, ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0,
-                   GroundShadow="Below", MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25, MotionBlurMask="context",
-                   camera=((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), angle=28.8)
 
 
 def periodic(data, _):
@@ -131,7 +131,7 @@ def packing(_, folder):
            ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion",
            DiffuseColor=[0.42, 0.60, 0.78], Section="Plane", SectionOrigin=[0.5, 0.42, 0.5], SectionNormal=[0.25, -1.0, 0.35],
            SectionCaps="Colored Caps", SectionCapColor=[1.0, 0.72, 0.30], OutlineWidth=1.5, OutlineColor=[0.15, 0.2, 0.28],
-           camera=((1.1, -1.3, 1.25), (0.5, 0.46, 0.49)), angle=32.0)
+           camera=((1.1, -1.3, 1.25), (0.5, 0.46, 0.51)), angle=35.0)
 
 
 def superquadrics(*_):
@@ -146,7 +146,8 @@ def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
     share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="fractions_X+fractions_Y")
-    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphScaleFunction="All the Same", ScaleFactor=1.15,
+    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics",
+           GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphScaleFunction="All the Same", ScaleFactor=1.15,
            GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((20.0, -14.0, 20.0), (9.6, 9.3, 1.5)), angle=30.0)
 
 
@@ -160,22 +161,21 @@ def streamlines(*_):
 
 def detail(*_):
     """Arrows of a flow, and the few with which ParaView's level of detail replaces them while the camera is turned."""
-    flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-15, 15, -13, 13, 0, 3]), ResultArrayName="flow", Function=FLOW)
-    few = None
+    source, view = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-15, 15, -13, 13, 0, 3]), ResultArrayName="flow", Function=FLOW), None
     for place in (0.0, 34.0):
-        shown = figure(few or flow, "Arrow", view=pv.GetActiveView() if few else None, bar=("flow", (0.0, 2.4), "speed", RAINBOW, (0.63, 0.04)), Orient=1, Scaling=1, SelectOrientationVectors="flow",
+        shown = figure(source, "Arrow", view=view, bar=("flow", (0.0, 2.4), "speed", RAINBOW, (0.63, 0.04)), Orient=1, Scaling=1, SelectOrientationVectors="flow",
                        ScaleMode="Magnitude", SelectScaleArray="flow", ScaleFactor=0.7, GroundShadow="None", Position=[place, 0.0, 0.0],
                        camera=((17.0, -29.0, 40.0), (17.0, -1.6, 0.0)), angle=45.0)
-        pv.GetActiveView().LODThreshold, pv.GetActiveView().LODResolution = 0.0, 0.055
-        if not few:
-            pv.Render()
-            pv.GetActiveView().SMProxy.InteractiveRender()
-            few = simulation.session.source(shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(1))
+        view = pv.GetActiveView()
+        view.LODThreshold, view.LODResolution = 0.0, 0.055
+        pv.Render()
+        view.SMProxy.InteractiveRender()
+        source = simulation.session.source(shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(1))
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails, "context": context, "detail": detail, "superquadrics": superquadrics, "periodic": periodic,
-            "crossing": crossing, "streamlines": streamlines}
+PICTURES = {draw.__name__: draw for draw in (chains, fibers, vessel, motion, stress, packing, superquadrics, impact, context, trails, crossing, periodic, streamlines, detail)}
+
 
 
 def main():
