@@ -75,7 +75,7 @@ def scalar_bar(table, shown, view, limits, preset, title, place):
     bar = pv.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(), number_format()
+    bar.AddRangeLabels, bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 1, 0, number_format(), number_format()
     bar.WindowLocation, bar.Orientation = "Any Location", "Horizontal"
     bar.Position, bar.ScalarBarLength = list(place), 0.34
 
