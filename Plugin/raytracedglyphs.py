@@ -89,11 +89,11 @@ def ExportGlyphs(fileName, view=None):
 
 
 def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1600, 1200), quality="Publication", logarithmic=False, **properties):
-    """Shows a source as a figure for print: on white, with a RenderingQuality and a scalar bar. Returns the display.
+    """Shows a source as a figure for print: on white, filling the picture, with a RenderingQuality and a scalar bar. Returns the display.
 
     kind: a GlyphType or GlyphShape such as "Arrow" or "Tensor Ellipsoid", or "Surface" or "Tubes". fileName: path of a picture of
     that size, in pixels; None: no picture, so that camera and properties can be changed first. colors: name of the
-    point or cell array that colors them; None: the array of a GlyphType's directions or sizes, if any; "": none. view:
+    point or cell array that colors them; None: the array of a GlyphType's directions or sizes, if any; "": none, blue unless properties say else. view:
     None: a new one; its camera is kept in all others. quality: a RenderingQuality. logarithmic: of the colors. properties: of the
     display, such as OutlineWidth=1; a dot leads to one of a property: **{"GlyphType.TipRadius": 0.2}.
     """
@@ -115,6 +115,7 @@ def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1
         display.RenderingQuality, display.SamplesPerPixel = "Fast", 1
         _LookFromAbove(view)
     display.RenderingQuality = quality
+    display.AmbientColor = display.DiffuseColor = [0.42, 0.60, 0.78]  # white would be lost on white
     for name, value in properties.items():
         owner, _, last = name.rpartition(".")
         setattr(getattr(display, owner) if owner else display, last, value)
@@ -132,7 +133,8 @@ def _LookFromAbove(view):
     view.CameraViewUp, focus = [0.0, 0.0, 1.0], list(view.CameraFocalPoint)
     distance = sum((a - b) ** 2 for a, b in zip(view.CameraPosition, focus)) ** 0.5
     view.CameraPosition = [f + distance * d for f, d in zip(focus, (0.45, -0.75, 0.48))]
-    pv.ResetCamera(view)
+    view.SMProxy.ResetCamera(True)  # the corners of the bounds fill nine tenths of the picture
+    view.GetActiveCamera().Dolly(1.07)
 
 
 def _Color(source, display, view, name, logarithmic):
@@ -155,5 +157,6 @@ def _Color(source, display, view, name, logarithmic):
         table.UseLogScale = 1
     display.SetScalarBarVisibility(view, True)
     bar = pv.GetScalarBar(table, view)
+    bar.Orientation, bar.WindowLocation, bar.AddRangeLabels = "Horizontal", "Lower Right Corner", 0
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
     bar.TitleFontSize = bar.LabelFontSize = max(8, view.ViewSize[1] // 45)

@@ -8,18 +8,16 @@ import os
 import subprocess
 import sys
 
+import numpy
 import paraview.simple as pv
 
 import simulation
+from simulation import EMBER, RAINBOW
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
 import raytracedglyphs  # noqa: E402
 
 SIZE = [int(value) for value in sys.argv[3:5]] or [1600, 1000]
-#: From pale gray, which leaves what is slow or weak in the background, over yellow and orange to dark red
-EMBER = (0.0, 0.78, 0.79, 0.81, 0.3, 0.95, 0.78, 0.45, 0.6, 0.90, 0.42, 0.10, 1.0, 0.55, 0.04, 0.06)
-#: From blue over green to red, none of them pale
-RAINBOW = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
 #: Arnold, Beltrami and Childress: a flow along which the vorticity is the velocity
 FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+cos(0.4*coordsZ))+kHat*(0.7*sin(0.4*coordsY)+0.8*cos(0.4*coordsX))"
 
@@ -39,14 +37,12 @@ def at(time, *path):
 
 def figure(source, kind, samples=16, camera=None, up=(0.0, 0.0, 1.0), angle=30.0, lens=0.0, bar=None, **properties):
     """raytracedglyphs.Figure() with few samples, whose noise is smoothed. camera: position, focal point. lens: its diameter; it is focused on the
-    focal point. bar: array, largest value, title, colors, place."""
+    focal point. bar: array, least and largest value, title, colors, place."""
     shown = raytracedglyphs.Figure(source, kind, size=SIZE, colors=bar[0] if bar else "", SamplesPerPixel=samples, Denoising="Always", **properties)
     view = pv.GetActiveView()
     if bar:
-        table = pv.GetColorTransferFunction(bar[0])
-        simulation.scalar_bar(table, shown, view, (0.0, bar[1]), "Viridis", bar[2], bar[4])
-        table.ColorSpace = "RGB"
-        table.RGBPoints = [value * (bar[1] if i % 4 == 0 else 1.0) for i, value in enumerate(bar[3])]
+        array, limits, title, colors, place = bar
+        simulation.scalar_bar(pv.GetColorTransferFunction(array), shown, view, limits, colors, title, place)
     if camera:
         simulation.look(view, *camera, up)
         view.CameraViewAngle, view.CameraFocalDisk = angle, lens
@@ -60,15 +56,19 @@ def vessel(data, folder):
     series = at(-1, folder, "injection.vtk.series")
     figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4,
            Section="Plane", SectionOrigin=[0.0, 0.0, -0.5], SectionNormal=[0.0, 0.0, -1.0])  # lets light in from above
-    figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", 5.0, "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
+    figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", (0.0, 5.0), "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
            SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
            camera=((1.2, 5.6, -3.4), (1.62, 0.0, 0.11)), up=(0.0, 0.0, -1.0), angle=21.5,
            **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
 
 
-def grains(data, time, camera, **properties):
-    """Grains that a ball has hit, by speed, on a ground that catches their shadows."""
-    figure(at(time, data, "impact", "impact.vtk.series"), "Sphere", camera=camera, bar=("velocity", 8.0, "speed", EMBER, (0.63, 0.86)), Orient=0,
+def grains(data, time, camera, sharp="", **properties):
+    """Grains that a ball has hit, by speed, on a ground that catches their shadows. sharp: a condition; grains for which it holds are not blurred."""
+    shown = at(time, data, "impact", "impact.vtk.series")
+    if sharp:
+        shown = pv.Calculator(Input=shown, ResultArrayName="context", Function="if(%s,0,1)" % sharp)
+        properties["MotionBlurMask"] = "context"
+    figure(shown, "Sphere", camera=camera, bar=("velocity", (0.0, 8.0), "speed", EMBER, (0.63, 0.86)), Orient=0,
            ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0, GroundShadow="Below", **properties)
 
 
@@ -77,14 +77,26 @@ def impact(data, _):
     grains(data, 0.8, ((9.0, -36.0, 25.0), (14.3, 14.0, 3.2)), angle=26.0)
 
 
-def motion(data, _):
+def motion(data, _, **properties):
     """The grains while the shutter is open: streaks show how fast and where to."""
-    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), samples=32, angle=28.8, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
+    grains(data, 0.8, ((9.0, -34.0, 15.0), (14.6, 14.0, 5.3)), samples=32, angle=28.8, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25, **properties)
+
+
+def context(data, folder):
+    """Most grains blurred, so that where they go is seen; those of interest sharp."""
+    motion(data, folder, sharp="id-9*floor(id/9)<1")
 
 
 def trails(data, _):
     """Grains that the ball has thrown up, and where they were in the steps before."""
     grains(data, 1.2, ((9.0, -38.0, 14.0), (14.3, 14.0, 7.6)), angle=32.0, TrailSteps=4, PointIdArray="id")
+
+
+def periodic(data, _):
+    """Molecules of a liquid crystal, in color, and one image of their periodic box on either side, along two edges."""
+    figure(at(-1, data, "nematic", "nematic.vtk.series"), "Sphere", Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion", SelectScaleArray="shape",
+           ScaleMode="Vector Components", ScaleFactor=1.0, GlyphDirectionColoring="Axes", PeriodicBoundary=1, PeriodicImages=[1, 1, 0],
+           camera=((60.0, -48.0, 60.0), (12.6, 11.6, 10.5)), angle=28.0)
 
 
 def fibers(_, folder):
@@ -100,7 +112,7 @@ def chains(data, folder):
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
     strong = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["CELLS", "force"], LowerThreshold=40.0, UpperThreshold=1e9)
     thick = pv.Calculator(Input=strong, AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", samples=40, bar=("force", 990.0, "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
+    figure(thick, "Tubes", samples=40, bar=("force", (0.0, 990.0), "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
            GroundShadow="Below", camera=((8.6, -15.2, 13.0), (14.2, 13.5, 2.2)), angle=25.0, lens=1.0)
 
 
@@ -110,7 +122,7 @@ def stress(data, _):
     pressure = pv.Calculator(Input=hit, ResultArrayName="pressure", Function="-(stress_XX+stress_YY+stress_ZZ)/3")
     loaded = pv.Threshold(Input=pressure, Scalars=["POINTS", "pressure"], LowerThreshold=25.0, UpperThreshold=3000.0)
     figure(loaded, "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="xx yy zz xy xz yz", GlyphScaleFunction="Cube Root", ScaleFactor=0.16,
-           bar=("pressure", 350.0, "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.0)), angle=25.0)
+           bar=("pressure", (0.0, 350.0), "pressure", EMBER, (0.63, 0.86)), GroundShadow="Below", camera=((8.6, -20.2, 18.0), (14.2, 13.5, 1.0)), angle=25.0)
 
 
 def packing(_, folder):
@@ -119,14 +131,23 @@ def packing(_, folder):
            ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion",
            DiffuseColor=[0.42, 0.60, 0.78], Section="Plane", SectionOrigin=[0.5, 0.42, 0.5], SectionNormal=[0.25, -1.0, 0.35],
            SectionCaps="Colored Caps", SectionCapColor=[1.0, 0.72, 0.30], OutlineWidth=1.5, OutlineColor=[0.15, 0.2, 0.28],
-           camera=((1.1, -1.3, 1.25), (0.5, 0.46, 0.49)), angle=32.0)
+           camera=((1.1, -1.3, 1.25), (0.5, 0.46, 0.51)), angle=35.0)
+
+
+def superquadrics(*_):
+    """Exponents from 0.4 to 20."""
+    values, count = [0.4, 0.7, 1.0, 2.0, 4.0, 20.0], range(6)
+    data = simulation.source(numpy.array([(1.12 * i, 0.0, 1.12 * j) for j in count for i in count]), exponents=numpy.array([(values[i], values[j]) for j in count for i in count]))
+    figure(data, "Superquadric", GlyphExponentArray="exponents", ScaleFactor=1.0, Orient=0, Scaling=0, GroundShadow="Below", DiffuseColor=[0.86, 0.60, 0.25],
+           camera=((0.2, -10.5, 5.0), (2.8, 0.0, 2.7)), angle=38.0)
 
 
 def crossing(_, folder):
     """Orientation distribution functions of two bundles of fibers that cross, by direction."""
     voxels = pv.OpenDataFile(made("odf.py", os.path.join(folder, "odf.vtk"), "20"))
     share = pv.Calculator(Input=voxels, ResultArrayName="share", Function="fractions_X+fractions_Y")
-    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphScaleFunction="All the Same", ScaleFactor=1.15,
+    figure(pv.Threshold(Input=share, Scalars=["POINTS", "share"], LowerThreshold=0.3, UpperThreshold=1.0), "Spherical Harmonics",
+           GlyphHarmonicsArray="odf", GlyphHarmonicsBasis="MRtrix3", GlyphScaleFunction="All the Same", ScaleFactor=1.15,
            GlyphDirectionColoring="Axes", GroundShadow="Across Z", camera=((20.0, -14.0, 20.0), (9.6, 9.3, 1.5)), angle=30.0)
 
 
@@ -135,12 +156,26 @@ def streamlines(*_):
     flow = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12]), ResultArrayName="flow", Function=FLOW)
     lines = pv.StreamTracer(Input=flow, Vectors=["POINTS", "flow"], SeedType="Point Cloud", MaximumStreamlineLength=24.0)
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
-    figure(lines, "Tubes", bar=("flow", 2.4, "speed", RAINBOW, (0.63, 0.02)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
+    figure(lines, "Tubes", bar=("flow", (0.0, 2.4), "speed", RAINBOW, (0.63, 0.02)), TubeRadius=0.22, camera=((34.0, -42.0, 28.0), (0.0, 0.0, -0.5)), angle=30.0)
+
+
+def detail(*_):
+    """Arrows of a flow, and the few with which ParaView's level of detail replaces them while the camera is turned."""
+    source, view = pv.Calculator(Input=pv.Wavelet(WholeExtent=[-15, 15, -13, 13, 0, 3]), ResultArrayName="flow", Function=FLOW), None
+    for place in (0.0, 34.0):
+        shown = figure(source, "Arrow", view=view, bar=("flow", (0.0, 2.4), "speed", RAINBOW, (0.63, 0.04)), Orient=1, Scaling=1, SelectOrientationVectors="flow",
+                       ScaleMode="Magnitude", SelectScaleArray="flow", ScaleFactor=0.7, GroundShadow="None", Position=[place, 0.0, 0.0],
+                       camera=((17.0, -29.0, 40.0), (17.0, -1.6, 0.0)), angle=45.0)
+        view = pv.GetActiveView()
+        view.LODThreshold, view.LODResolution = 0.0, 0.055
+        pv.Render()
+        view.SMProxy.InteractiveRender()
+        source = simulation.session.source(shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(1))
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {"chains": chains, "fibers": fibers, "vessel": vessel, "motion": motion, "stress": stress, "packing": packing, "impact": impact, "trails": trails,
-            "crossing": crossing, "streamlines": streamlines}
+PICTURES = {draw.__name__: draw for draw in (chains, fibers, vessel, motion, stress, packing, superquadrics, impact, context, trails, crossing, periodic, streamlines, detail)}
+
 
 
 def main():

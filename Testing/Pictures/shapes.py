@@ -16,7 +16,7 @@ FOLDER = os.path.join(HERE, "..", "..", "Plugin", "Shapes")
 WIDTH, HEIGHT = 112, 84
 #: of tensors
 ARRAYS = {"Fourth-Order Tensor": "stiffness", "Tensor Ellipsoid": "tensor", "Tensor Superquadric": "tensor", "Uncertain Vector": "covariance",
-          "Uncertain Direction": "covariance", "Confidence Ellipsoid": "covariance"}
+          "Uncertain Direction": "covariance", "Confidence Ellipsoid": "covariance", "Signed Tensor Superquadric": "spike"}
 
 
 def stiffness():
@@ -34,7 +34,8 @@ def main():
     harmonics = numpy.array([[0.3, 0.0, 0.0, 0.15, 0.0, 0.3, 0.0, 0.0, 0.0, 0.0, 0.35, 0.0, 0.0, 0.0, 0.2]])
     tensor = numpy.array([[1.0, 0.55, 0.2, 0.1, 0.0, 0.0]])
     signs = numpy.array([[1.0, -0.6, 0.3, 0.1, 0.0, 0.0]])
-    source = session.source(session.poly_data(numpy.zeros((1, 3)), harmonics=harmonics, stiffness=stiffness(), tensor=tensor, signs=signs,
+    spike = numpy.array([[0.8, -0.55, -0.55, 0.0, 0.0, 0.0]])
+    source = session.source(session.poly_data(numpy.zeros((1, 3)), harmonics=harmonics, stiffness=stiffness(), tensor=tensor, signs=signs, spike=spike,
                                               v=numpy.array([[1.0, 0.25, 0.2]]), covariance=numpy.array([[0.03, 0.01, 0.015, 0.005, 0.0, 0.0]]), small=0.004 * numpy.array([[1.0, 0.25, 0.2]])))
     shown = session.glyphs(source, view, SelectOrientationVectors="v", ScaleFactor=1.0, samples=64)
     session.solid(shown, (0.35, 0.55, 0.8))
@@ -47,7 +48,7 @@ def main():
         shown.GlyphAnchor = "Center"
         shown.SelectOrientationVectors = "small" if name == "Split Vector" else "v"
         middle = numpy.array([0.5, 0.12, 0.1]) if name.startswith("Uncertain") else numpy.zeros(3)
-        session.look(view, middle + (1.5, -4.0, 2.2), middle, up=(0.0, 0.0, 1.0), parallel_scale=1.15 if name == "Capsule" else 0.72)
+        session.look(view, middle + (1.5, -4.0, 2.2), middle, up=(0.0, 0.0, 1.0), parallel_scale={"Capsule": 1.15, "Box": 0.92, "Cylinder": 0.8, "Uncertain Vector": 0.9}.get(name, 0.72))
         pv.SaveScreenshot(os.path.join(FOLDER, name + ".png"), view, ImageResolution=[WIDTH, HEIGHT], TransparentBackground=1)
     session.finish()
 

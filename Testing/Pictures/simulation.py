@@ -9,6 +9,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import session  # noqa: E402
 
 REPRESENTATION = "Ray Traced Glyphs"
+#: From pale gray, which leaves what is slow or weak in the background, over yellow and orange to dark red
+EMBER = (0.0, 0.78, 0.79, 0.81, 0.3, 0.95, 0.78, 0.45, 0.6, 0.90, 0.42, 0.10, 1.0, 0.55, 0.04, 0.06)
+#: From blue over green to red, none of them pale
+RAINBOW = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
 
 
 def source(points, **arrays):
@@ -60,14 +64,18 @@ def color(shown, view, array, component, limits, preset, title, place=(0.6, 0.84
 
 
 def scalar_bar(table, shown, view, limits, preset, title, place):
-    """Gives a color table its range and preset, and the view a bar of it whose lower left corner is at place (fractions of the view)."""
-    table.ApplyPreset(preset_name(preset), True)
+    """Gives a color table its range and a preset, or colors at 0 to 1, and the view a bar of it whose lower left corner is at place (fractions of
+    the view)."""
+    if isinstance(preset, str):
+        table.ApplyPreset(preset_name(preset), True)
+    else:
+        table.RGBPoints, table.ColorSpace = preset, "RGB"
     table.RescaleTransferFunction(*limits)
     shown.SetScalarBarVisibility(view, True)
     bar = pv.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(), number_format()
+    bar.AddRangeLabels, bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 1, 0, number_format(), number_format()
     bar.WindowLocation, bar.Orientation = "Any Location", "Horizontal"
     bar.Position, bar.ScalarBarLength = list(place), 0.34
 
@@ -76,7 +84,7 @@ def spheres(impact, view):
     """The grains as spheres of their diameter, colored by speed."""
     shown = show(impact, view, "Sphere", Orient=0, SelectScaleArray="diameter",
                  ScaleMode="Magnitude", ScaleFactor=1.0)
-    color(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma", "speed")
+    color(shown, view, "velocity", "Magnitude", (0.0, 8.0), EMBER, "speed")
     look(view, (9.0, -36.0, 27.0), (14.3, 14.0, 4.0), (0.0, 0.0, 1.0))
 
 

@@ -24,7 +24,8 @@ def unit(vectors):
 
 def levels(directions, kind):
     """The colors of unit vectors, as Representation/README.md has them."""
-    return 255.0 * (abs(directions) if kind == "Axes" else (1.0 + numpy.sin(numpy.pi / 2 * directions @ CUBE.T)) / 2)
+    gray = 0.16 * numpy.minimum(directions[..., 2:], 0.0) ** 2
+    return 255.0 * (abs(directions) if kind == "Axes" else (1.0 + numpy.sin(numpy.pi / 2 * directions @ CUBE.T)) / 2 + gray)
 
 
 def seen(checks, stage, directions, kind):

@@ -156,6 +156,19 @@ def figure(name, part, case, checks):
     pv.Delete(pv.GetActiveView())
 
 
+def flat(checks):
+    """A figure of flat data fills the picture's width, and without colors its glyphs stand out from white."""
+    import raytracedglyphs
+    x, y = (grid.ravel() for grid in numpy.mgrid[0:12, 0:12])
+    path = session.output("figure-flat.png")
+    raytracedglyphs.Figure(session.source(session.poly_data(numpy.stack([x, y, 0 * x], axis=1).astype(float))), "Sphere", path, size=(160, 120), quality="Fast")
+    picture = session.read_image(path)[..., :3].astype(int)
+    columns = (picture.min(axis=2) < 192).any(axis=0)  # gray on white is not below
+    checks.within("share of the width that a figure fills", float((160 - columns[::-1].argmax() - columns.argmax()) / 160.0), 0.88, 0.99)
+    checks.true("a figure's glyphs are gray", (picture.max(axis=2) - picture.min(axis=2)).max() > 40)
+    pv.Delete(pv.GetActiveView())
+
+
 def recipe(name, page, checks):
     """Runs a script and looks at what it shows."""
     path = os.path.join(os.environ["RTGLYPHS_DATA"], "recipes", name + ".py")
@@ -211,6 +224,7 @@ def main():
     os.chdir(folder)
     for name in names:
         recipe(name, page, checks)
+    flat(checks)
     checks.report()
 
 
