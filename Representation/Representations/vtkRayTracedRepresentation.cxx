@@ -176,13 +176,14 @@ int vtkRayTracedRepresentation::RequestData(
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
+  const int colors = std::max(1, this->GetBlockColorsDistinctValues());
   const auto gather = [&]
   {
     const bool blocks = input->IsA("vtkCompositeDataSet");
     const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
     const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
     double done = 0.0;
-    return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
+    return rtglyphs::RayTracedTree::Make(input, colors,
       [&](vtkDataObject* data)
       {
         const double first = done;
@@ -193,7 +194,8 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::Gather(vtkDataObject*
   };
   this->Surface.NonlinearSubdivisionLevel =
     vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter)->GetNonlinearSubdivisionLevel();
-  return this->Selected.Gather(input, this->Content->GatherOptions(), this->Content->MarksSelection(), gather);
+  const auto [content, first, second] = this->Content->GatherOptions();
+  return this->Selected.Gather(input, { content, first, second, colors }, this->Content->MarksSelection(), gather);
 }
 
 //----------------------------------------------------------------------------
