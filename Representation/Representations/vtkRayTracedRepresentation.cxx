@@ -364,7 +364,8 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     this->Common.HasData = this->GetNumberOfInputConnections(0) > 0;
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     this->Piece = vtkPVView::GetPiece(inInfo, this);
-    this->UseBlocks(this->Piece, this->Common.Blocks, this->Whole);
+    vtkNew<vtkPolyData> nothing; // of an input that has failed, as a source of a state file may
+    this->UseBlocks(this->Piece ? this->Piece.Get() : nothing, this->Common.Blocks, this->Whole);
     this->Content->Deliver(inInfo, this, /*lod=*/false);
     vtkPolyData* points = this->Common.Blocks.GetPoints();
     if (this->Common.HasData)
