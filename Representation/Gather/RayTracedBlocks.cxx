@@ -443,11 +443,6 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
     }
     times.push_back(static_cast<vtkMTimeType>(count));
     keep(rtglyphs::RayTracedArrays::CompositeIndex, std::move(times), [&] { return Numbers(this->Blocks, count); });
-    // Which array the global ids and the normals are.
-    if (vtkDataArray* ids = sets.front()->GetGlobalIds())
-    {
-      out->SetActiveGlobalIds(ids->GetName());
-    }
     if (vtkDataArray* normals = sets.front()->GetNormals())
     {
       out->SetActiveNormals(normals->GetName());

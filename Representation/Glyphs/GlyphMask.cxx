@@ -192,7 +192,11 @@ std::vector<vtkIdType> rtglyphs::GlyphMask::Choose(vtkPolyData* points, std::vec
   }
   vtkDataArray* ids = points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::PointIds);
   const auto number = [ids](vtkIdType point)
-  { return static_cast<std::uint64_t>(ids ? ids->GetComponent(point, 0) : static_cast<double>(point)); };
+  {
+    const vtkTypeInt64 id = ids ? static_cast<vtkTypeInt64>(ids->GetComponent(point, 0)) : point;
+    return static_cast<std::uint64_t>(
+      rtglyphs::RayTracedArrays::IsCellId(id) ? rtglyphs::RayTracedArrays::DecodeCellId(id) : id);
+  };
   if (this->Mode == EVERY_NTH)
   {
     const auto stride = static_cast<std::uint64_t>(std::max(this->Stride, 1));

@@ -107,7 +107,9 @@ void vtkRayTracedLegend::RemoveFrom(vtkPVRenderView* view)
 //----------------------------------------------------------------------------
 void vtkRayTracedLegend::SetWords(const char* words)
 {
-  const double* behind = this->Scene->GetBackground();
+  const bool top = this->Corner == UPPER_LEFT || this->Corner == UPPER_RIGHT;
+  const double* behind =
+    top && this->Scene->GetGradientBackground() ? this->Scene->GetBackground2() : this->Scene->GetBackground();
   const double ink = 0.3 * behind[0] + 0.6 * behind[1] + 0.1 * behind[2] > 0.5 ? 0.0 : 1.0;
   this->Text->SetInput(words);
   this->Text->GetTextProperty()->SetColor(ink, ink, ink);

@@ -32,7 +32,7 @@ vtkDataArray* FindEdges(vtkFieldData* field)
 {
   for (const char* name : names)
   {
-    for (int i = 0; field && i < field->GetNumberOfArrays(); ++i)
+    for (int i = 0; i < field->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = field->GetArray(i);
       if (array && IsNamed(array->GetName(), name) && array->GetNumberOfValues() == 9)
@@ -42,6 +42,15 @@ vtkDataArray* FindEdges(vtkFieldData* field)
     }
   }
   return nullptr;
+}
+
+// The same of data, or else of their blocks.
+vtkDataArray* FindEdges(vtkDataObject* data)
+{
+  vtkDataArray* edges = data ? FindEdges(data->GetFieldData()) : nullptr;
+  rtglyphs::RayTracedTree::ForEach(
+    data, [&edges](vtkPolyData* block) { edges = edges ? edges : FindEdges(block->GetFieldData()); });
+  return edges;
 }
 }
 
@@ -77,9 +86,8 @@ rtglyphs::RayTracedPeriodic::Make(vtkDataObject* points, vtkDataObject* data, bo
   std::array<double, 9> edges = this->Vectors;
   if (edges == std::array<double, 9>{})
   {
-    vtkFieldData* own = points ? points->GetFieldData() : nullptr;
-    vtkFieldData* field = own && own->GetNumberOfArrays() > 0 ? own : data ? data->GetFieldData() : nullptr;
-    if (vtkDataArray* found = FindEdges(field))
+    vtkDataArray* own = FindEdges(points);
+    if (vtkDataArray* found = own ? own : FindEdges(data))
     {
       const int components = found->GetNumberOfComponents();
       for (int i = 0; i < 9; ++i)

@@ -23,8 +23,8 @@ struct RayTracedPeriodic
 
   /**
    * The images in the data's coordinates, of a RayTracedTree of points (null: none). The field data of it, or of
-   * `data`, may have the edges, else they are those of the points' bounds. `together`: all ranks ask at once, each of
-   * which has a part of the data. Where there is a `problem`, which is to be reported, there are none.
+   * `data`, or of a block may have the edges, else they are those of the points' bounds. `together`: all ranks ask at
+   * once, each of which has a part of the data. Where there is a `problem`, which is to be reported, there are none.
    */
   rtg::PeriodicImages Make(vtkDataObject* points, vtkDataObject* data, bool together, std::string& problem) const;
 

@@ -119,7 +119,7 @@ void rtglyphs::RayTracedSelected::Take(vtkAlgorithm* representation, int port, v
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedSelected::Gather(vtkDataObject* input,
-  const std::array<int, 3>& options, bool marks, const std::function<vtkSmartPointer<vtkDataObject>()>& gather)
+  const std::array<int, 4>& options, bool marks, const std::function<vtkSmartPointer<vtkDataObject>()>& gather)
 {
   // Sources that fill the same data object anew differ by the time of its update.
   const std::array<vtkMTimeType, 2> times{ input->GetUpdateTime(), input->GetMTime() };

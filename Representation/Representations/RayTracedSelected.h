@@ -31,14 +31,14 @@ public:
   /**
    * What `gather` makes of the input with these options, called where one of them is another than before.
    */
-  vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, const std::array<int, 3>& options, bool marks,
+  vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, const std::array<int, 4>& options, bool marks,
     const std::function<vtkSmartPointer<vtkDataObject>()>& gather);
 
 private:
   vtkSmartPointer<vtkDataObject> Gathered; // of an input of these times
   vtkDataObject* Input = nullptr;          // only to be compared
   std::array<vtkMTimeType, 2> Times{};
-  std::array<int, 3> Options{};
+  std::array<int, 4> Options{};
   vtkSmartPointer<vtkDataObject> Extracted;
 };
 

@@ -184,13 +184,14 @@ int vtkRayTracedRepresentation::RequestData(
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
+  const int colors = std::max(1, this->GetBlockColorsDistinctValues());
   const auto gather = [&]
   {
     const bool blocks = input->IsA("vtkCompositeDataSet");
     const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
     const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
     double done = 0.0;
-    return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
+    return rtglyphs::RayTracedTree::Make(input, colors,
       [&](vtkDataObject* data)
       {
         const double first = done;
@@ -201,7 +202,8 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::Gather(vtkDataObject*
   };
   this->Surface.NonlinearSubdivisionLevel =
     vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter)->GetNonlinearSubdivisionLevel();
-  return this->Selected.Gather(input, this->Content->GatherOptions(), this->Content->MarksSelection(), gather);
+  const auto [content, first, second] = this->Content->GatherOptions();
+  return this->Selected.Gather(input, { content, first, second, colors }, this->Content->MarksSelection(), gather);
 }
 
 //----------------------------------------------------------------------------
@@ -370,7 +372,8 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     this->Common.HasData = this->GetNumberOfInputConnections(0) > 0;
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     this->Piece = vtkPVView::GetPiece(inInfo, this);
-    this->Show(this->Piece, this->All);
+    vtkNew<vtkPolyData> nothing; // of an input that has failed, as a source of a state file may
+    this->Show(this->Piece ? this->Piece.Get() : nothing.Get(), this->All);
     this->Content->Deliver(inInfo, this, /*lod=*/false);
     vtkPolyData* points = this->Common.Blocks.GetPoints();
     if (this->Common.HasData)

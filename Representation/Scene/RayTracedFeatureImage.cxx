@@ -1,5 +1,6 @@
 #include "RayTracedFeatureImage.h"
 
+#include "RayTracedArrays.h"
 #include "RayTracedRanks.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
@@ -84,7 +85,8 @@ std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
     }
     // Sets are numbered in the order in which they came.
     representations->SetValue(i, hit ? static_cast<int>(std::distance(mappers.begin(), source)) : -1);
-    ids->SetValue(i, origin.Id);
+    const bool ofCell = rtglyphs::RayTracedArrays::IsCellId(origin.Id);
+    ids->SetValue(i, ofCell ? rtglyphs::RayTracedArrays::DecodeCellId(origin.Id) : origin.Id);
     blocks->SetValue(i, static_cast<int>(origin.CompositeIndex));
   }
 

@@ -295,7 +295,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
     colored->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
     const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
     vtkSMProxy* table = vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
-    if (table &&
+    if (table && !vtkSMPropertyHelper(table, "UseLogScale").GetAsInt() && // else another display has mapped its points
       std::any_of(
         arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == array && IsOverDecades(one); }))
     {

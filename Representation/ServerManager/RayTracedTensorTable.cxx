@@ -71,13 +71,21 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
   const vtkSMPropertyHelper summary(glyphs, "DataSummary");
   const double found[2] = { summary.GetAsDouble(rtglyphs::DataSummary::LEAST_OF_TENSORS),
     summary.GetAsDouble(rtglyphs::DataSummary::LARGEST_OF_TENSORS) };
+  vtkSMProxy* set = vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").GetAsProxy();
+  // The range stays where the user has locked it, and where the table came with one, as in a state.
+  const bool locked =
+    vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").GetAsInt() == vtkSMTransferFunctionManager::NEVER;
+  const bool stays = vtkSMPropertyHelper(table, "ScalarRangeInitialized").GetAsInt() &&
+    (locked || (fresh && this->IsChosen && set == table));
   if (found[0] <= found[1] && (fresh || found[0] != this->Range[0] || found[1] != this->Range[1]))
   {
-    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);
+    if (!stays)
+    {
+      vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);
+    }
     this->Range[0] = found[0];
     this->Range[1] = found[1];
   }
-  vtkSMProxy* set = vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").GetAsProxy();
   if (set != table && !(set && this->IsChosen))
   {
     vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").Set(table);

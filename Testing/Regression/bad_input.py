@@ -157,6 +157,19 @@ def settings(case):
     pv.Delete(points)
 
 
+def lost(case):
+    """A state whose sources give nothing, not even an empty data set."""
+    for kind in (session.REPRESENTATION, "Ray Traced Surface", "Ray Traced Tubes"):
+        line = session.with_cells(session.poly_data(LINE), "Lines", [range(len(LINE))])
+        pv.Show(session.source(line), case.view).SetRepresentationType(kind)
+    pv.SaveState(session.output("bad-lost.pvsm"))
+    pv.ResetSession()
+    session.messages(lambda: (pv.LoadState(session.output("bad-lost.pvsm")), pv.Render(pv.GetActiveView())))
+    found = [session.statistics(shown).get("glyphs", 0) for shown in pv.GetActiveView().Representations if "Ray Traced" in str(getattr(shown, "Representation", ""))]
+    if len(found) < 3 or any(found):
+        case.failures.append("glyphs of sources that are lost: %s" % found)
+
+
 def main(no_device):
     """Runs the cases."""
     session.load()
@@ -174,6 +187,7 @@ def main(no_device):
     amounts(case)
     sizes(case)
     settings(case)
+    lost(case)
     session.finish(case.failures)
 
 

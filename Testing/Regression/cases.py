@@ -361,7 +361,17 @@ def idle(view, checks):
     shown = session.glyphs(session.source(boxed), view, "Sphere", PeriodicBoundary=1, PeriodicImages=[1, 0, 0])
     pv.Render(view)
     checks.true("a box of the data: %s" % session.statistics(shown)["choices"], not any("eriodic" in each for each in session.statistics(shown)["choices"]))
+    wanted = view.SMProxy.GetRenderer().ComputeVisiblePropBounds()
     pv.Delete(shown)
+    # The box may be that of a block, or of all blocks.
+    for owner in ("a block", "all blocks"):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, session.poly_data(grid(4, 4, 4)))
+        (blocks.GetBlock(0) if owner == "a block" else blocks).GetFieldData().AddArray(lattice)
+        shown = session.glyphs(session.source(blocks), view, "Sphere", PeriodicBoundary=1, PeriodicImages=[1, 0, 0])
+        pv.Render(view)
+        checks.equal("bounds with the box of " + owner, view.SMProxy.GetRenderer().ComputeVisiblePropBounds(), wanted)
+        pv.Delete(shown)
 
 
 def unit(count, components):

@@ -353,6 +353,16 @@ def load(view, checks):
     pv.Delete(shown)
 
 
+def decades(view, checks):
+    """Displays of one array share its table, which a logarithm spreads once."""
+    path, tables = legacy("masses.vtk", PLACES, masses=10.0**numpy.linspace(4.0, 12.0, 300)), []
+    for _ in range(2):
+        stepwise(pv.Show(pv.OpenDataFile(path), view)).SetRepresentationType("Ray Traced Glyphs")
+        pv.Render(view)
+        tables.append(list(pv.GetColorTransferFunction("masses").RGBPoints))
+    checks.true("colors of a second display: %s, not %s" % (tables[1][::4], tables[0][::4]), numpy.allclose(tables[1], tables[0]))
+
+
 def main(words):
     """All rows, or those whose names have one of the words."""
     session.load()
@@ -374,6 +384,8 @@ def main(words):
     comparison.write_image(session.output("corpus.png"), sheet)
     if not words or "load" in words:
         load(view, checks)
+    if not words or "masses" in words:
+        decades(view, checks)
     checks.report()
 
 

@@ -108,6 +108,13 @@ def main():
     check(failures, "translucent wall", seen["Representation"][right], 1)
     check(failures, "its opacity", seen["Color"][right][3], 128, 2)
 
+    # Glyphs of cells have the cells' ids.
+    surface.SetRepresentationType(session.REPRESENTATION)
+    surface.GlyphLocation, surface.Opacity, surface.Orient, surface.ScaleFactor = "Cells", 1.0, 0, 0.5
+    raytracedglyphs.SaveFeatureImage(path, view)
+    seen = read(path)
+    check(failures, "ids of cells", [seen["OriginalId"][row, column(x)] for x in (2.5, 3.5)], (0, 1))
+
     unwritable = os.path.join(session.output("no such folder"), "features.vti")
     text = session.messages(lambda: raytracedglyphs.SaveFeatureImage(unwritable, view))
     for word in ("no such folder", "feature image", "folder that exists"):

@@ -125,6 +125,13 @@ def corners(checks, view, shown):
         rows = numpy.nonzero(abs(pictures[1] - pictures[0]).max(axis=2) > 60)[0]
         checks.within("%s with orientation axes: distance from the lower edge" % corner, SIDE - 1 - rows.max(), lowest, lowest + 60)
     view.OrientationAxesVisibility = 0
+    view.BackgroundColorMode, view.Background, view.Background2 = "Gradient", [0.0] * 3, [1.0] * 3
+    for corner in ("Lower Left", "Upper Left"):
+        pictures = []
+        for shown.GlyphLegend in ("None", corner):
+            pictures.append(session.capture(view, "glyph-legend-gradient").astype(int))
+        checks.within("%s before a gradient: contrast" % corner, abs(pictures[1] - pictures[0]).max(), 128, 255)
+    view.BackgroundColorMode, view.Background = "Single Color", [channel / 255.0 for channel in session.BACKGROUND]
 
 
 def room(checks, view, shown):

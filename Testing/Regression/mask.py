@@ -4,7 +4,7 @@ Usage: pvpython mask.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet
 
 import comparison
 import session
@@ -99,6 +99,11 @@ def blocks(checks, view, points):
     one, number = masked("block", BlockSelectors=["/Root/half1"])
     checks.equal("every 10th of one of them", number, 6)
     checks.true("hiding a block has moved the other's glyphs", not (one & ~both).any())
+    # Seven cells in a row.
+    row = vtkImageData()
+    row.SetDimensions(8, 2, 2)
+    masked = Masked(session.Stage(view), row)
+    checks.equal("every third of seven cells", masked("cells", GlyphLocation="Cells", GlyphMode="Every Nth", GlyphStride=3)[1], 3)
 
 
 def main():

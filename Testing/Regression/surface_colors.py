@@ -123,14 +123,18 @@ def block_colors(checks):
         offered = shown.SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
         own = [name for name in map(offered.GetString, range(offered.GetNumberOfStrings())) if name.startswith("vtkRayTraced_")]
         checks.equal("arrays of the plugin among those to color by, " + kind, own, [])
-        pixels = session.capture(view, "surface-colors-blocks-" + kind.lower().replace(" ", "-"))
-        # Just inside of each square's lower left corner, where the first point's glyph is, too.
-        colors[kind] = [tuple(int(c) for c in pixels[45 - 2, round(120 + x * 60) + 2, :3]) for x in points[:, 0]]
-        print("vtkBlockColors, %s: %s" % (kind, colors[kind]))
-    checks.equal("colors of the blocks on ParaView's surface", len(set(colors["Surface"]) - {session.BACKGROUND}), 4)
-    for kind in (SURFACE, session.REPRESENTATION):
-        checks.true("vtkBlockColors, %s: %s, not %s" % (kind, colors[kind], colors["Surface"]),
-                    numpy.abs(numpy.array(colors[kind]) - colors["Surface"]).max() <= 2)
+        for distinct in (4, 2):
+            shown.BlockColorsDistinctValues = distinct
+            pixels = session.capture(view, "surface-colors-%d-blocks-%s" % (distinct, kind.lower().replace(" ", "-")))
+            # Just inside of each square's lower left corner, where the first point's glyph is, too.
+            colors[kind, distinct] = [tuple(int(c) for c in pixels[45 - 2, round(120 + x * 60) + 2, :3]) for x in points[:, 0]]
+            print("%d of vtkBlockColors, %s: %s" % (distinct, kind, colors[kind, distinct]))
+    for (kind, distinct), found in colors.items():
+        checks.true("%d of vtkBlockColors, %s: %s, not %s" % (distinct, kind, found, colors["Surface", distinct]),
+                    numpy.abs(numpy.array(found) - colors["Surface", distinct]).max() <= 2)
+        checks.equal("%d colors of the blocks, %s" % (distinct, kind), len(set(found) - {session.BACKGROUND}), distinct)
+    shown.BlockColorsDistinctValues = 0 # is out of range
+    pv.Render(view)
     pv.Delete(view)
 
 

@@ -4,6 +4,7 @@ Usage: pvpython tensor_colors.py
 """
 import numpy
 import paraview.simple as pv
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import session
 from checks import Checks
@@ -201,6 +202,37 @@ def check_covariances(checks, stage):
     pv.Render(view)
 
 
+def check_range(checks, stage):
+    """The range of a table follows the data, but for one that the user has locked, and one that a state file brings."""
+    data = [session.poly_data(POINTS, stress=factor * EIGENVALUES[:, [0, 1, 2, 0, 0, 0]] * [1, 1, 1, 0, 0, 0]) for factor in (1.0, 2.0)]
+    traces = VALUES["Trace"].min(), VALUES["Trace"].max()
+    for mode, wanted in (("Never", (-9.0, 9.0)), ("Grow and update on 'Apply'", (2.0 * traces[0], 2.0 * traces[1]))):
+        stage.show(data[0], "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphTensorColoring="Trace")
+        pv.Render(stage.view)
+        table = pv.GetColorTransferFunction("stress Trace")
+        table.AutomaticRescaleRangeMode = mode
+        table.RescaleTransferFunction(-9.0, 9.0)
+        stage.show(data[1], "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphTensorColoring="Trace")
+        pv.Render(stage.view)
+        found = table.RGBPoints[0], table.RGBPoints[-4]
+        checks.true("the range with %s is %s, not %s" % (mode, found, wanted), numpy.allclose(found, wanted, rtol=1e-4))
+    stage.close()
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(data[0])
+    writer.SetFileName(session.output("tensor-colors.vtp"))
+    writer.Write()
+    shown = session.glyphs(pv.XMLPolyDataReader(FileName=[writer.GetFileName()]), stage.view, "Tensor Ellipsoid", GlyphTensorArray="stress",
+                           GlyphTensorColoring="Trace")
+    pv.Render(stage.view)
+    table_of(shown).RescaleTransferFunction(-9.0, 9.0)
+    pv.SaveState(session.output("tensor-colors.pvsm"))
+    pv.ResetSession()
+    pv.LoadState(session.output("tensor-colors.pvsm"))
+    pv.Render(pv.GetActiveView())
+    table = pv.GetColorTransferFunction("stress Trace")
+    checks.equal("the range that a state brings", (table.RGBPoints[0], table.RGBPoints[-4]), (-9.0, 9.0))
+
+
 def main():
     """All numbers, after arrays of a tiny and of a large range have colored the glyphs."""
     session.load()
@@ -217,6 +249,8 @@ def main():
         plain = check(checks, stage, coloring, None)
         for left in ("tiny", "large") if coloring not in SINGLE else ("large",):
             checks.picture("%s, colors after %s" % (coloring, left), check(checks, stage, coloring, left), plain, pixels=0.0, mean=0.0)
+    stage.close()
+    check_range(checks, stage)
     checks.report()
 
 
