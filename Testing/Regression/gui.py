@@ -22,7 +22,7 @@ SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
 SECTIONS = ["Glyph Parameters", "Ray Traced Object", "Motion", "Ray Traced Image (Whole View)"]
 RELABELED = ["Size By", "Direction By"]
 #: labels of the default rows of shapes; and how many rows there are with the advanced ones
-FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"]
+FIRST, LAST = ["Other Shape", "Location", "Masking"], ["Motion Blur", "Quality"]
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
@@ -359,7 +359,7 @@ def parts(window, view, reader, shown):
             pv.Delete(proxy)
     pv.ClearSelection(reader)
     pv.SetActiveSource(reader)
-    shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "Glyph Type", "Sphere"
+    shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "None", "Sphere"
     return failures
 
 
