@@ -6,6 +6,7 @@
 #include "pqPipelineFilter.h"
 #include "pqPropertiesPanel.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkNew.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
@@ -118,10 +119,13 @@ void pqRayTracedGlyphsInheritance::inherit()
     pqView* view = wanted ? display->getView() : nullptr;
     pqDataRepresentation* shown = input && view ? input->getRepresentation(view) : nullptr;
     auto* part = display ? vtkSMRepresentationProxy::SafeDownCast(display->getProxy()) : nullptr;
-    if (!part || !shown || !shown->isVisible() || !KindOf(shown->getProxy()).startsWith("Ray Traced"))
+    // Where a filter always replaces its input, ParaView has hidden that already.
+    const bool replaced = shown && (shown->isVisible() || filter->replaceInput() == 1);
+    if (!part || !replaced || !KindOf(shown->getProxy()).startsWith("Ray Traced"))
     {
       continue;
     }
+    const pqScopedUndoSet undo(tr("Show the Part as Its Source"));
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", part);
     part->SetRepresentationType(KindOf(shown->getProxy()).toUtf8().constData());
     CopySettings(shown->getProxy(), part);

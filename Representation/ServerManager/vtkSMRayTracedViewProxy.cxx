@@ -30,7 +30,8 @@ vtkStandardNewMacro(vtkSMRayTracedViewProxy);
 
 namespace
 {
-std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*> owners; // by view, which keeps its own
+// By view, which keeps its own. A script that exits connected leaves proxies that end after what is static.
+auto& owners = *new std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*>;
 
 // The present speed is the mean of so long to twice as long: of a step's fraction, but no more seconds.
 constexpr double fractionOfSpeed = 0.25, secondsOfSpeed = 20.0;

@@ -39,7 +39,7 @@ def main():
                                               v=numpy.array([[1.0, 0.25, 0.2]]), covariance=numpy.array([[0.03, 0.01, 0.015, 0.005, 0.0, 0.0]]), small=0.004 * numpy.array([[1.0, 0.25, 0.2]])))
     shown = session.glyphs(source, view, SelectOrientationVectors="v", ScaleFactor=1.0, samples=64)
     session.solid(shown, (0.35, 0.55, 0.8))
-    names = list(session.SOURCES) + [name for name in shown.GetProperty("GlyphShape").Available if name != "Glyph Type"]
+    names = list(session.SOURCES) + [name for name in shown.GetProperty("GlyphShape").Available if name != "None"]
     for name in names:
         session.assign_shape(shown, name)
         shown.GlyphTensorArray = ARRAYS.get(name, "signs")

@@ -22,7 +22,7 @@ SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
 SECTIONS = ["Glyph Parameters", "Ray Traced Object", "Motion", "Ray Traced Image (Whole View)"]
 RELABELED = ["Size By", "Direction By"]
 #: labels of the default rows of shapes; and how many rows there are with the advanced ones
-FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"]
+FIRST, LAST = ["Other Shape", "Location", "Masking"], ["Motion Blur", "Quality"]
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
@@ -319,39 +319,47 @@ def lens(window, view, at):
 
 
 def parts(window, view, reader, shown):
-    """A clip of what is shown as glyphs is shown with the same glyphs, in place of the source."""
+    """A clip and a selection of what is shown as glyphs are shown with the same glyphs, in place of the source."""
     failures = []
     set_before = {"GlyphShape": "Capsule", "ScaleMode": "Magnitude", "SelectScaleArray": "diameter", "ScaleFactor": 0.75, "ScaleFactorFromData": 0, "GlyphMode": "Every Nth"}
     for name, value in set_before.items():
         setattr(shown, name, value)
     shown.GlyphType = "Cone"
     shown.GlyphType.Height = 2.0
+    pv.SelectIDs(IDs=[0, 1, 0, 2], FieldType="POINT", Source=reader)
+    for kind in "Clip", "ExtractSelection":
+        shown.Visibility = 1
+        pv.SetActiveSource(reader)
+        pv.Render(view)
+        made = window.wait(lambda: window.trigger(kind), 20) and \
+            window.wait(lambda: any(name.startswith(kind) for name, _ in pv.GetSources()), 20)
+        found = {}
+
+        def display():
+            # A busy window may have heard twice.
+            filters = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith(kind)]
+            return next((found for found in (pv.GetRepresentation(made, view) for made in filters) if found), None)
+
+        # The button has no effect until the panel has noticed the filter.
+        applied = window.wait(lambda: window.click("propertiesPanel/Accept") and display(), 20)
+
+        def same():
+            part = display()
+            found.update({name: part.GetPropertyValue(name) for name in ("Representation", *set_before)} if part else {})
+            return part and all(str(found[name]).strip("'") == str(value) for name, value in {"Representation": session.REPRESENTATION, **set_before}.items()) \
+                and part.GlyphType.Height == 2.0 and part.GlyphType.SMProxy.GetXMLName() == "ConeSource" and not shown.Visibility
+        if not applied or not window.wait(same, 20):
+            failures.append("%s of glyphs (made: %s, applied: %s) has %s; its source is %s" % (
+                kind, bool(made), bool(applied), found, "shown" if shown.Visibility else "hidden"))
+        # Apply, before it, has hidden the source of a selection.
+        elif not window.wait(lambda: window.trigger("actionEditUndo"), 20) or not window.wait(
+                lambda: display().Representation == "Surface" and shown.Visibility == (kind == "Clip"), 20):
+            failures.append("%s of glyphs: after one undo %s, its source is %s" % (kind, display().Representation, "shown" if shown.Visibility else "hidden"))
+        for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith(kind)]:
+            pv.Delete(proxy)
+    pv.ClearSelection(reader)
     pv.SetActiveSource(reader)
-    pv.Render(view)
-    made = window.wait(lambda: window.trigger("Clip"), 20) and \
-        window.wait(lambda: any(name.startswith("Clip") for name, _ in pv.GetSources()), 20)
-    found = {}
-
-    def display():
-        # A busy window may have heard twice.
-        clips = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]
-        return next((found for found in (pv.GetRepresentation(clip, view) for clip in clips) if found), None)
-
-    # The button has no effect until the panel has noticed the filter.
-    applied = window.wait(lambda: window.click("propertiesPanel/Accept") and display(), 20)
-
-    def same():
-        part = display()
-        found.update({name: part.GetPropertyValue(name) for name in ("Representation", *set_before)} if part else {})
-        return part and all(str(found[name]).strip("'") == str(value) for name, value in {"Representation": session.REPRESENTATION, **set_before}.items()) \
-            and part.GlyphType.Height == 2.0 and part.GlyphType.SMProxy.GetXMLName() == "ConeSource" and not shown.Visibility
-    if not applied or not window.wait(same, 20):
-        failures.append("a clip of glyphs (made: %s, applied: %s) has %s; its source is %s" % (
-            bool(made), bool(applied), found, "shown" if shown.Visibility else "hidden"))
-    for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]:
-        pv.Delete(proxy)
-    pv.SetActiveSource(reader)
-    shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "Glyph Type", "Sphere"
+    shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "None", "Sphere"
     return failures
 
 

@@ -1,8 +1,8 @@
 """The plugin as users install it: only what they need is there, ParaView finds it by its name in another folder, too, it draws, without
-Vulkan's loader it says so, and it can be removed.
+Vulkan's loader it says so, a script that exits without disconnecting ends, and it can be removed.
 
 Usage: pvpython installed.py CMAKE BUILD PVPYTHON     installs into a folder of its own, moves it, draws, uninstalls
-       pvpython installed.py PREFIX                   draws with the plugin that lies below PREFIX
+       pvpython installed.py PREFIX [connected]       draws with the plugin that lies below PREFIX; exits at once
 """
 import os
 import shutil
@@ -20,7 +20,7 @@ from checks import Checks
 FILES = ["CHANGES.md", "LICENSE", "LIMITS.md", "README.md", "RayTracedGlyphs.so", "raytracedglyphs.xml"]
 
 
-def draw(prefix):
+def draw(prefix, connected=""):
     """A sphere, by the plugin that ParaView finds by its name."""
     checks = Checks()
     pv._DisableFirstRenderCameraReset()
@@ -35,6 +35,8 @@ def draw(prefix):
     shown = session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, Orient=0)
     session.solid(shown, (0.9, 0.8, 0.3))
     checks.covered("one sphere", session.capture(view, "installed"), 0.02, 0.2)
+    if connected:
+        sys.exit()
     checks.report()
 
 
@@ -69,6 +71,11 @@ def main(cmake, build, pvpython):
         plugin = paths["RayTracedGlyphs.so"]
         for variable, value in (("PV_PLUGIN_PATH", os.path.dirname(plugin)), ("PV_PLUGIN_CONFIG_FILE", paths["raytracedglyphs.xml"])):
             run("%s=%s" % (variable, value), {variable: value}, __file__, moved)
+        try:  # how it ends is ParaView's
+            subprocess.run([pvpython, __file__, moved, "connected"], env=dict(os.environ, PV_PLUGIN_PATH=os.path.dirname(plugin)), stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL, timeout=200, check=False)
+        except subprocess.TimeoutExpired:
+            failures.append("a script that exits without disconnecting does not end")
         run("without Vulkan's loader", dict(without_loader(folder), RTGLYPHS_PLUGIN=plugin), os.path.join(os.path.dirname(__file__), "bad_input.py"),
             "no-device", "Vulkan's loader was not found", "libvulkan1")
         os.rename(moved, prefix)
@@ -82,6 +89,6 @@ def main(cmake, build, pvpython):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) == 2:
-        draw(sys.argv[1])
+    if len(sys.argv) < 4:
+        draw(*sys.argv[1:])
     main(*sys.argv[1:])

@@ -95,7 +95,7 @@ class Monkey:
 
     def change(self):
         """A property."""
-        name, value = self.random.choice([("GlyphShape", "Superquadric"), ("GlyphShape", "Glyph Type"), ("Opacity", 0.5), ("Opacity", 1.0), ("ScaleFactor", 0.3),
+        name, value = self.random.choice([("GlyphShape", "Superquadric"), ("GlyphShape", "None"), ("Opacity", 0.5), ("Opacity", 1.0), ("ScaleFactor", 0.3),
                                           ("ScaleFactor", 0.15), ("Specular", 0.5), ("UseSeparateColorMap", 1)])
         setattr(self.shown, name, value)
         pv.Render(self.view)

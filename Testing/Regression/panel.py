@@ -18,7 +18,7 @@ SHARED = {"Orient", "OrientationMode", "SelectOrientationVectors", "Scaling", "S
           "UseGlyphTable", "GlyphTableIndexArray"}
 #: rows that are there where they have an effect, and not elsewhere; settings add up
 EFFECTS = [("GlyphScaleFunction", seen, settings) for seen, settings in (
-    (True, {"GlyphShape": "Spherical Harmonics", "ScaleMode": "No Data Scaling Off"}), (False, {"GlyphShape": "Glyph Type"}),
+    (True, {"GlyphShape": "Spherical Harmonics", "ScaleMode": "No Data Scaling Off"}), (False, {"GlyphShape": "None"}),
     (True, {"ScaleMode": "Magnitude"}), (True, {"GlyphShape": "Capsule"}), (False, {"ScaleMode": "No Data Scaling Off"}))] + [
     ("GlyphTensorAxis", True, {"GlyphShape": "Tensor Ellipsoid"}), ("GlyphTensorAxis", False, {"GlyphShape": "Capsule"}),
     ("AngularVelocityArray", True, {"MotionBlur": 1}), ("AngularVelocityArray", False, {"GlyphShape": "Principal Axes"}),

@@ -76,7 +76,7 @@ def give_shape(shown, shape):
     if shape == "Capsule":
         shown.GlyphType, shown.GlyphShape = capsule(), shape
         return
-    shown.GlyphShape = "Glyph Type"
+    shown.GlyphShape = "None"
     name = shape.replace("Mesh", "")
     if ray_traced and shape.startswith("Mesh"):
         source = getattr(pv, name)()

@@ -124,7 +124,7 @@ def changes(checks):
             ("SelectScaleArray", "s", 0.45), ("ScaleMode", "Magnitude", SCALED), ("SelectScaleArray", "t", 45.0), ("SelectScaleArray", "v", 0.11),
             ("GlyphScaleFunction", "Square Root", SCALED), ("GlyphScaleFunction", "All the Same", 0.45), ("GlyphScaleFunction", "Linear", 0.11),
             ("ScaleMode", "No Data Scaling Off", 0.45), ("GlyphShape", "Capsule", SCALED), ("GlyphTensorArray", "tensor", SCALED),
-            ("GlyphShape", "Tensor Ellipsoid", 0.09), ("GlyphShape", "Glyph Type", 0.45), ("GlyphType", "Arrow", 0.7), ("GlyphType", "Sphere", 0.45),
+            ("GlyphShape", "Tensor Ellipsoid", 0.09), ("GlyphShape", "None", 0.45), ("GlyphType", "Arrow", 0.7), ("GlyphType", "Sphere", 0.45),
             ("GlyphSizeRange", [0.1, 0.3], 0.45), ("Opacity", 0.5, 0.45), ("GlyphMode", "Random", 0.45), ("GlyphMode", "All Points", 0.45)):
         setattr(shown, name, value)
         found = factor(shown, view)

@@ -283,7 +283,7 @@ def shaped(shape):
 
 def assign_shape(shown, shape):
     """Gives a display a shape, whatever it had."""
-    for name, value in {"GlyphShape": "Glyph Type", **shaped(shape)}.items():
+    for name, value in {"GlyphShape": "None", **shaped(shape)}.items():
         setattr(shown, name, value)
 
 

@@ -126,8 +126,7 @@ def edges(failures):
     view = session.view(200, 150, (0, 255, 0))
     session.look(view, (0.0, 0.0, 5.0))
     ball = session.glyphs(session.source(session.poly_data(numpy.array([[0.0, 0.0, 1.0]]))), view, "Sphere", samples=16, Orient=0, ScaleFactor=1.4)
-    box = session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, "Box", Orient=0, ScaleFactor=9.0, Opacity=0.999)
-    box.Position = [0.0, 0.0, -5.0]
+    box = session.glyphs(session.source(session.poly_data(numpy.array([[0.0, 0.0, -5.0]]))), view, "Box", Orient=0, ScaleFactor=9.0, Opacity=0.999)
     for shown, color in (ball, (0.9, 0.1, 0.1)), (box, (0.2, 0.2, 0.9)):
         session.solid(shown, color)
     for mode in ("Local", "Ambient Occlusion", "Path Tracing"):

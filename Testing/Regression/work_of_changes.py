@@ -124,7 +124,7 @@ FIELDS = {
         "Split": [(ARROW, "GlyphShape", "Split Vector", "glyphs"), ({**ARROW, "GlyphShape": "Split Vector"}, "SelectScaleArray", "other", "nothing")],
     },
     "GlyphTensors::Settings": {
-        "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
+        "On": (TENSOR, "GlyphShape", "None", "glyphs"),
         "Kind": (SUPERQUADRIC, "GlyphShape", "Signed Tensor Superquadric", "glyphs"),
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
         "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "xx xy xz yy yz zz", "glyphs"), ({}, "GlyphTensorLayout", "xx xy xz yy yz zz", "nothing")],
@@ -144,7 +144,7 @@ FIELDS = {
         "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
     "GlyphForms::Settings": {
-        "On": (FORMS, "GlyphShape", "Glyph Type", "glyphs"),
+        "On": (FORMS, "GlyphShape", "None", "glyphs"),
         "Kind": ({**FORMS, "GlyphTensorArray": "six", "GlyphHarmonicsArray": "six"}, "GlyphShape", "Spherical Harmonics", "glyphs"),
         "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
         "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "xx xy xz yy yz zz", "glyphs"), (BALLS, "GlyphTensorLayout", "xx xy xz yy yz zz", "nothing")],
