@@ -338,12 +338,15 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, const rtglyphs::Ray
 {
   this->Common.Parts.Mapper->SetAside(blocks != nullptr);
   this->Layers.SetAside(blocks != nullptr);
+  if (blocks || frame.Collective) // ranks have the same layers, whichever have enough points
+  {
+    this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
+  }
   this->Reduced.SetAside(!blocks);
   if (!blocks)
   {
     return;
   }
-  this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
   rtglyphs::GlyphLayers::Layer& layer = this->Reduced[0];
   layer.Follow(*blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
   layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));
