@@ -131,17 +131,20 @@ rtglyphs::GlyphUnturnedBox::GlyphUnturnedBox(const rtglyphs::GlyphSettings& sett
   : Settings(settings)
   , Sizes(sizes)
   , Arrow(settings.Arrow)
+  , Stretched(
+      settings.Shape != rtg::Shape::Capsule && !(settings.Shape == rtg::Shape::Arrow && settings.Arrow.fixedHeads))
   , AnchorShift(settings.AnchorShift())
 {
-  if (settings.Shape == rtg::Shape::Arrow && settings.Arrow.fixedHeads)
+  this->Arrow.unitLength = static_cast<float>(sizes.ArrowUnit());
+  if (settings.Shape != rtg::Shape::Mesh)
   {
-    this->Arrow.unitLength = static_cast<float>(sizes.ArrowUnit());
+    this->Unit = rtg::GlyphExtent(settings.Shape, this->Arrow, glm::dvec3(1.0));
   }
-  else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
+  else if (settings.Mesh)
   {
     for (const glm::vec3& position : settings.Mesh->positions)
     {
-      this->Mesh.Include({ position, position });
+      this->Unit.Include({ position, position });
     }
   }
 }
@@ -158,9 +161,8 @@ rtg::DoubleBox rtglyphs::GlyphUnturnedBox::operator()(vtkIdType point, rtglyphs:
     return { -reach, reach };
   }
   part *= this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0; // crosses begin at the center
-  rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
-    ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }
-    : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
+  rtg::DoubleBox box = this->Stretched ? rtg::DoubleBox{ this->Unit.lower * size, this->Unit.upper * size }
+                                       : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
   box.lower *= part;
   box.upper *= part;
   box.lower.x += this->AnchorShift * size.x;

@@ -39,7 +39,8 @@ private:
   const GlyphSettings& Settings;
   const GlyphSizes& Sizes;
   rtg::ArrowForm Arrow;
-  rtg::DoubleBox Mesh; // the unit glyph's, where it is one
+  const bool Stretched; // along its axes the unit glyph becomes any other
+  rtg::DoubleBox Unit;
   const double AnchorShift;
 };
 

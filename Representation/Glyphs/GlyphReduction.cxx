@@ -20,7 +20,6 @@
 #include <cmath>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
@@ -29,8 +28,6 @@ using Settings = rtglyphs::GlyphSettings;
 namespace parallel = rtglyphs::RayTracedParallel;
 
 constexpr double fewer = 0.25; // at most this fraction of the points is left, else all are
-// Of the points, each sorted by itself; a constant, so that the order does not depend on the number of threads.
-constexpr std::size_t shares = 8;
 
 // The sides of a glyph's box along its own axes; zero where it has none.
 glm::dvec3 SidesOf(vtkIdType point, const rtglyphs::GlyphSizes& sizes, rtglyphs::GlyphSizes::Tuples& tuples,
@@ -59,25 +56,11 @@ double FillOf(rtg::Shape shape)
 }
 
 // The faces of a box that covers what `count` glyphs of this area in all do, seen through a side of a cell.
-double Covered(double area, std::uint32_t count, double cell, double fill)
+double Covered(double area, double count, double cell, double fill)
 {
   const double side = cell * cell / fill;
-  return count == 1 ? area : side * (1.0 - std::pow(std::max(0.0, 1.0 - area / (side * count)), count));
+  return count == 1.0 ? area : side * (1.0 - std::pow(std::max(0.0, 1.0 - area / (side * count)), count));
 }
-
-// Lists of points, one after the other.
-struct Groups
-{
-  std::vector<std::uint32_t> Points, Ends;
-  std::size_t size() const { return this->Ends.size(); }
-  std::uint32_t Begin(std::size_t group) const { return group == 0 ? 0 : this->Ends[group - 1]; }
-  std::uint32_t Count(std::size_t group) const { return this->Ends[group] - this->Begin(group); }
-  std::uint32_t Chosen(std::size_t group) const
-  {
-    const auto chance = static_cast<std::uint32_t>(((group + 1) * 0x9e3779b97f4a7c15ull) >> 32);
-    return this->Points[this->Begin(group) + chance % this->Count(group)];
-  }
-};
 
 class Reducer
 {
@@ -99,7 +82,7 @@ public:
     }
   }
 
-  vtkSmartPointer<vtkPolyData> operator()(const rtglyphs::RayTracedBlocks::Block& block)
+  vtkSmartPointer<vtkPolyData> operator()(const rtglyphs::RayTracedBlocks::Block& block) const
   {
     auto out = vtkSmartPointer<vtkPolyData>::New();
     out->GetFieldData()->PassData(block.Data->GetFieldData());
@@ -107,22 +90,84 @@ public:
     {
       return out;
     }
-    std::vector<float> areas;
-    const Groups groups = this->Sort(block, areas);
-    if (groups.size() == 0)
+    vtkNew<vtkPointData> copied;
+    std::vector<vtkDataArray*> averaged;
+    this->FindArrays(block, copied, averaged);
+    Sums sums;
+    if (!this->Add(block, averaged, sums))
     {
       return block.Data;
     }
+    const std::vector<vtkIdType> groups = parallel::Select(
+      static_cast<vtkIdType>(sums.Chosen.size()), [&sums](vtkIdType group) { return *sums.Get(group) > 0.0; });
+    const auto count = static_cast<vtkIdType>(groups.size());
     vtkNew<vtkIdList> chosen;
-    for (std::size_t i = 0; i < groups.size(); ++i)
-    {
-      chosen->InsertNextId(groups.Chosen(i));
-    }
+    chosen->SetNumberOfIds(count);
     vtkNew<vtkPoints> places;
     places->SetDataType(block.Data->GetPoints()->GetDataType());
-    block.Data->GetPoints()->GetPoints(chosen, places);
+    rtglyphs::RayTracedArrays::Resize(places->GetData(), count);
+    parallel::ForEach(count,
+      [&](vtkIdType i)
+      {
+        chosen->SetId(i, sums.Chosen[groups[i]]);
+        places->GetData()->SetTuple(i, chosen->GetId(i), block.Data->GetPoints()->GetData());
+      });
     out->SetPoints(places);
-    vtkNew<vtkPointData> used;
+    CopyOf(copied, chosen, out->GetPointData());
+    std::size_t first = Sums::COMPONENTS;
+    for (vtkDataArray* array : averaged)
+    {
+      const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+      const vtkSmartPointer<vtkDoubleArray> means = NewArray(array->GetName(), array->GetNumberOfComponents(), count);
+      means->CopyComponentNames(array);
+      parallel::ForEach(count,
+        [&](vtkIdType i)
+        {
+          const double* sum = sums.Get(groups[i]);
+          double* const mean = means->GetPointer(i * array->GetNumberOfComponents());
+          for (std::size_t c = 0; c < components; ++c)
+          {
+            mean[c] = sum[first + c] / sum[Sums::NUMBER];
+          }
+        });
+      out->GetPointData()->AddArray(means);
+      first += components;
+    }
+    if (block.Data->GetNumberOfVerts() > 0) // one of each point
+    {
+      vtkNew<vtkCellArray> vertices;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        vertices->InsertNextCell(1, &i);
+      }
+      out->SetVerts(vertices);
+      CopyOf(block.Data->GetCellData(), chosen, out->GetCellData());
+    }
+    this->AddAreas(out, groups, sums);
+    return out;
+  }
+
+private:
+  // Of each cell of the grid, and of each point with a large glyph.
+  struct Sums
+  {
+    enum Values
+    {
+      NUMBER, // of points
+      AREA,
+      COMPONENTS // the sum of each one's finite values, as if the others had their mean
+    };
+    const double* Get(vtkIdType group) const { return &this->All[group * this->Width]; }
+
+    std::size_t Width = COMPONENTS;
+    std::vector<double> All;
+    std::vector<std::uint32_t> Chosen; // one of the points
+  };
+
+  // Rotations and whole numbers have no mean.
+  void FindArrays(
+    const rtglyphs::RayTracedBlocks::Block& block, vtkPointData* copied, std::vector<vtkDataArray*>& averaged) const
+  {
     for (int i = 0; i < block.Data->GetPointData()->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = block.Data->GetPointData()->GetAbstractArray(i);
@@ -130,49 +175,40 @@ public:
       const bool colors = block.Scalars.On && block.Scalars.Array == name;
       if (!name.empty() && (colors || this->Used.count(name) || rtglyphs::RayTracedArrays::IsOwn(name)))
       {
-        used->AddArray(array);
+        auto* numbers = vtkDataArray::SafeDownCast(array);
+        const bool rotations = this->How.Orient && name == this->How.OrientationArray &&
+          rtglyphs::GlyphArrays::OrientationMode(numbers, this->How) != Settings::DIRECTION;
+        if ((array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE) && !rotations)
+        {
+          averaged.push_back(numbers);
+        }
+        else
+        {
+          copied->AddArray(array);
+        }
       }
     }
-    CopyOf(used, chosen, out->GetPointData());
-    for (int i = 0; i < used->GetNumberOfArrays(); ++i)
-    {
-      if (this->HasMean(used->GetAbstractArray(i)))
-      {
-        out->GetPointData()->AddArray(Mean(used->GetArray(i), groups));
-      }
-    }
-    if (block.Data->GetNumberOfVerts() > 0) // one of each point
-    {
-      vtkNew<vtkCellArray> vertices;
-      for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i)
-      {
-        vertices->InsertNextCell(1, &i);
-      }
-      out->SetVerts(vertices);
-      CopyOf(block.Data->GetCellData(), chosen, out->GetCellData());
-    }
-    this->AddAreas(out, groups, areas);
-    return out;
   }
 
-private:
-  // Points by cells, and those with large glyphs each by itself; none: they would hardly be fewer.
-  Groups Sort(const rtglyphs::RayTracedBlocks::Block& block, std::vector<float>& areas) const
+  // The number of groups; 0: they would hardly be fewer than the points. Neighbors are far from each other, so that
+  // threads have alike parts of the points.
+  std::size_t FindGroups(
+    const rtglyphs::RayTracedBlocks::Block& block, std::vector<std::uint32_t>& groups, std::vector<float>& areas) const
   {
-    constexpr std::uint32_t none = UINT32_MAX, alone = none - 1;
-    Groups groups;
+    constexpr std::uint32_t alone = none - 1, apart = 64;
     const vtkIdType count = block.Data->GetNumberOfPoints();
     vtkDataArray* positions = block.Data->GetPoints()->GetData();
     const double* bounds = block.Data->GetPoints()->GetBounds();
     const glm::dvec3 lower(bounds[0], bounds[2], bounds[4]), upper(bounds[1], bounds[3], bounds[5]);
     const glm::dvec3 sides = glm::floor((upper - lower) / this->Cell) + 1.0;
     const double all = sides.x * sides.y * sides.z;
-    if (!(all <= 2.0 * static_cast<double>(count)) || count >= alone)
+    if (!(all <= static_cast<double>(count)) || count >= alone / 2)
     {
-      return groups;
+      return 0;
     }
+    const std::uint32_t part = static_cast<std::uint32_t>(all) / apart + 1;
     areas.resize(count);
-    std::vector<std::uint32_t> cells(count, none);
+    groups.resize(count, none);
     parallel::ForChunks(count,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -186,66 +222,103 @@ private:
           if (rtg::IsFinite(x) && rtg::IsPositive(areas[i]))
           {
             const glm::dvec3 place = glm::floor((glm::dvec3(x[0], x[1], x[2]) - lower) / this->Cell);
-            cells[i] = std::max({ size.x, size.y, size.z }) > this->Cell
-              ? alone
-              : static_cast<std::uint32_t>((place.z * sides.y + place.y) * sides.x + place.x);
+            const auto cell = static_cast<std::uint32_t>((place.z * sides.y + place.y) * sides.x + place.x);
+            const bool large = std::max({ size.x, size.y, size.z }) > this->Cell;
+            groups[i] = large ? alone : cell % apart * part + cell / apart;
           }
         }
       });
-
-    // Counting sort, which keeps the order of the points in a cell.
-    const auto number = static_cast<std::size_t>(all);
-    std::vector<std::uint32_t> next(shares * number);
-    const auto forShares = [&](const auto& work)
-    {
-      rtg::ParallelFor(shares,
-        [&](std::size_t share)
-        {
-          const auto end = static_cast<vtkIdType>((share + 1) * count / shares);
-          for (auto i = static_cast<vtkIdType>(share * count / shares); i < end; ++i)
-          {
-            if (cells[i] < alone)
-            {
-              work(i, next[share * number + cells[i]]);
-            }
-          }
-        });
-    };
-    forShares([](vtkIdType, std::uint32_t& counted) { ++counted; });
-    std::uint32_t last = 0;
-    for (std::size_t cell = 0; cell < number; ++cell)
-    {
-      const std::uint32_t first = last;
-      for (std::size_t share = 0; share < shares; ++share)
-      {
-        last += std::exchange(next[share * number + cell], last);
-      }
-      if (last > first)
-      {
-        groups.Ends.push_back(last);
-      }
-    }
-    const std::vector<vtkIdType> large = parallel::Select(count, [&](vtkIdType i) { return cells[i] == alone; });
-    if (static_cast<double>(groups.size() + large.size()) > fewer * static_cast<double>(count))
-    {
-      return {};
-    }
-    groups.Points.resize(last);
-    forShares([&](vtkIdType i, std::uint32_t& place) { groups.Points[place++] = static_cast<std::uint32_t>(i); });
+    const std::vector<vtkIdType> large = parallel::Select(count, [&](vtkIdType i) { return groups[i] == alone; });
+    std::size_t number = apart * part;
     for (const vtkIdType i : large)
     {
-      groups.Points.push_back(static_cast<std::uint32_t>(i));
-      groups.Ends.push_back(static_cast<std::uint32_t>(groups.Points.size()));
+      groups[i] = static_cast<std::uint32_t>(number++);
     }
-    return groups;
+    return number <= static_cast<std::size_t>(count) ? number : 0;
   }
 
-  // Rotations and whole numbers have none.
-  bool HasMean(vtkAbstractArray* array) const
+  // False: the groups would hardly be fewer than the points.
+  bool Add(const rtglyphs::RayTracedBlocks::Block& block, const std::vector<vtkDataArray*>& averaged, Sums& sums) const
   {
-    const bool rotations = this->How.Orient && array->GetName() == this->How.OrientationArray &&
-      rtglyphs::GlyphArrays::OrientationMode(vtkDataArray::SafeDownCast(array), this->How) != Settings::DIRECTION;
-    return (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE) && !rotations;
+    std::vector<std::uint32_t> groups;
+    std::vector<float> areas;
+    const std::size_t number = this->FindGroups(block, groups, areas);
+    for (vtkDataArray* array : averaged)
+    {
+      sums.Width += static_cast<std::size_t>(array->GetNumberOfComponents());
+    }
+    sums.All.resize(sums.Width * number);
+    sums.Chosen.resize(number);
+    // Each thread goes through all points and adds those of its own groups, in their order.
+    const std::size_t threads = rtg::ThreadCount();
+    rtg::ParallelFor(threads,
+      [&](std::size_t thread)
+      {
+        const auto begin = static_cast<std::uint32_t>(thread * number / threads);
+        const auto end = static_cast<std::uint32_t>((thread + 1) * number / threads);
+        std::vector<rtglyphs::GlyphTuples> tuples(averaged.begin(), averaged.end());
+        std::vector<std::size_t> lacking;   // sums, once for each value that is not finite
+        constexpr std::size_t atOnce = 256; // so that their sums stay in the cache
+        std::vector<std::uint32_t> own;
+        for (std::size_t i = 0; i < groups.size();)
+        {
+          own.clear();
+          for (const std::size_t next = std::min(i + atOnce, groups.size()); i < next; ++i)
+          {
+            if (groups[i] >= begin && groups[i] < end)
+            {
+              own.push_back(static_cast<std::uint32_t>(i));
+            }
+          }
+          for (const std::uint32_t point : own)
+          {
+            double* const sum = &sums.All[sums.Width * groups[point]];
+            sum[Sums::NUMBER] += 1.0;
+            sum[Sums::AREA] += areas[point];
+            const std::uint64_t chance = (point * 0x9e3779b97f4a7c15ull) >> 32;
+            if ((chance * static_cast<std::uint32_t>(sum[Sums::NUMBER])) >> 32 == 0)
+            {
+              sums.Chosen[groups[point]] = point;
+            }
+          }
+          std::size_t first = Sums::COMPONENTS;
+          for (rtglyphs::GlyphTuples& values : tuples)
+          {
+            for (const std::uint32_t point : own)
+            {
+              const double* tuple = values.Get(point);
+              for (int c = 0; c < values.Size(); ++c)
+              {
+                const std::size_t at = sums.Width * groups[point] + first + c;
+                sums.All[at] += std::isfinite(tuple[c]) ? tuple[c] : 0.0;
+                if (!std::isfinite(tuple[c]))
+                {
+                  lacking.push_back(at);
+                }
+              }
+            }
+            first += values.Size();
+          }
+        }
+        std::sort(lacking.begin(), lacking.end());
+        for (auto first = lacking.begin(); first != lacking.end();)
+        {
+          const auto last = std::upper_bound(first, lacking.end(), *first);
+          const double all = sums.All[*first - *first % sums.Width + Sums::NUMBER];
+          sums.All[*first] *= all / (all - static_cast<double>(last - first)); // NaN where there is none
+          first = last;
+        }
+      });
+    return number > 0;
+  }
+
+  static vtkSmartPointer<vtkDoubleArray> NewArray(const char* name, int components, vtkIdType count)
+  {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    rtglyphs::RayTracedArrays::Resize(array, count);
+    return array;
   }
 
   static void CopyOf(vtkDataSetAttributes* from, vtkIdList* chosen, vtkDataSetAttributes* to)
@@ -255,75 +328,31 @@ private:
     to->CopyData(from, chosen);
   }
 
-  // Of the values that are finite.
-  static vtkSmartPointer<vtkDoubleArray> Mean(vtkDataArray* from, const Groups& groups)
+  void AddAreas(vtkPolyData* out, const std::vector<vtkIdType>& groups, const Sums& sums) const
   {
-    const auto count = static_cast<vtkIdType>(groups.size());
-    const int components = from->GetNumberOfComponents();
-    auto to = vtkSmartPointer<vtkDoubleArray>::New();
-    to->SetName(from->GetName());
-    to->SetNumberOfComponents(components);
-    to->CopyComponentNames(from);
-    rtglyphs::RayTracedArrays::Resize(to, count);
-    double* const means = to->GetPointer(0);
-    parallel::ForChunks(count,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        rtglyphs::GlyphTuples tuples(from);
-        std::vector<double> counted(components);
-        for (vtkIdType group = begin; group < end; ++group)
-        {
-          double* const mean = means + group * components;
-          std::fill_n(mean, components, 0.0);
-          std::fill_n(counted.begin(), components, 0.0);
-          for (std::uint32_t i = groups.Begin(group); i < groups.Ends[group]; ++i)
-          {
-            const double* tuple = tuples.Get(groups.Points[i]);
-            for (int c = 0; c < components; ++c)
-            {
-              mean[c] += std::isfinite(tuple[c]) ? tuple[c] : 0.0;
-              counted[c] += std::isfinite(tuple[c]);
-            }
-          }
-          for (int c = 0; c < components; ++c)
-          {
-            mean[c] /= counted[c]; // NaN where there is none
-          }
-        }
-      });
-    return to;
-  }
-
-  void AddAreas(vtkPolyData* out, const Groups& groups, const std::vector<float>& areas) const
-  {
-    vtkNew<vtkDoubleArray> numbers;
-    numbers->SetName(rtglyphs::RayTracedArrays::Reduced);
-    numbers->SetNumberOfComponents(3);
-    rtglyphs::RayTracedArrays::Resize(numbers, out->GetNumberOfPoints());
+    const vtkSmartPointer<vtkDoubleArray> numbers =
+      NewArray(rtglyphs::RayTracedArrays::Reduced, 3, out->GetNumberOfPoints());
     const rtglyphs::GlyphSizes sizes(out, this->Left);
     const rtglyphs::GlyphUnturnedBox boxes(this->Left, sizes);
     parallel::ForChunks(out->GetNumberOfPoints(),
       [&](vtkIdType begin, vtkIdType end)
       {
         rtglyphs::GlyphSizes::Tuples tuples(sizes);
-        for (vtkIdType group = begin; group < end; ++group)
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          double area = 0.0;
-          for (std::uint32_t i = groups.Begin(group); i < groups.Ends[group]; ++i)
-          {
-            area += areas[groups.Points[i]];
-          }
-          const double covered = Covered(area, groups.Count(group), this->Cell, FillOf(this->How.Shape));
-          const double factor = std::sqrt(covered / AreaOf(SidesOf(group, sizes, tuples, boxes)));
-          double* const tuple = numbers->GetPointer(3 * group);
-          tuple[0] = groups.Count(group);
-          tuple[1] = area;
+          const double* sum = sums.Get(groups[i]);
+          const double covered = Covered(sum[Sums::AREA], sum[Sums::NUMBER], this->Cell, FillOf(this->How.Shape));
+          const double factor = std::sqrt(covered / AreaOf(SidesOf(i, sizes, tuples, boxes)));
+          double* const tuple = numbers->GetPointer(3 * i);
+          tuple[0] = sum[Sums::NUMBER];
+          tuple[1] = sum[Sums::AREA];
           tuple[2] = rtg::IsPositive(factor) ? factor : 1.0;
         }
       });
     out->GetPointData()->AddArray(numbers);
   }
 
+  static constexpr std::uint32_t none = UINT32_MAX; // group of points without a glyph
   vtkPolyData* const Joined;
   const Settings How, Left;
   const double Cell;
@@ -350,14 +379,16 @@ vtkDataObject* rtglyphs::GlyphReduction::Get(
     { rtglyphs::GlyphArrays::KeyOf(blocks.GetPoints(), { settings }, blocks.GetHidden()), colors, cell },
     [&]
     {
-      Reducer reduce(blocks, settings, cell);
+      const Reducer reduce(blocks, settings, cell);
       vtkIdType left = 0;
       this->Reduced = rtglyphs::RayTracedTree::Change(tree,
         [&](vtkPolyData* leaf)
         {
-          const auto& all = blocks.GetBlocks();
-          const auto block = std::find_if(all.begin(), all.end(), [leaf](const auto& b) { return b.Data == leaf; });
-          const vtkSmartPointer<vtkPolyData> made = reduce(*block);
+          vtkSmartPointer<vtkPolyData> made = leaf;
+          for (const rtglyphs::RayTracedBlocks::Block& block : blocks.GetBlocks())
+          {
+            made = block.Data == leaf ? reduce(block) : made;
+          }
           left += made->GetNumberOfPoints();
           return made;
         });

@@ -60,9 +60,10 @@ glm::dvec3 rtglyphs::GlyphMagnitudes::Scale(vtkIdType point, Tuples& tuples) con
     return glm::dvec3(1.0);
   }
   const double* tuple = tuples.Scales.Get(point);
+  const int size = tuples.Scales.Size();
   return this->ByComponents
-    ? this->Scaling.Sizing(glm::dvec3(tuple[0], tuple[1], tuples.Scales.Size() == 2 ? tuple[1] : tuple[2]))
-    : glm::dvec3(this->Scaling.Sizing(vtkMath::Norm(tuple, tuples.Scales.Size())));
+    ? this->Scaling.Sizing(glm::dvec3(tuple[0], tuple[1], size == 2 ? tuple[1] : tuple[2]))
+    : glm::dvec3(this->Scaling.Sizing(size == 1 ? std::abs(*tuple) : vtkMath::Norm(tuple, size)));
 }
 
 //----------------------------------------------------------------------------

@@ -338,12 +338,15 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
 {
   this->Common.Parts.Mapper->SetAside(reduced);
   this->Layers.SetAside(reduced);
+  if (reduced || frame.Collective) // ranks have the same layers, whichever have enough points
+  {
+    this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
+  }
   this->Reduced.SetAside(!reduced);
   if (!reduced)
   {
     return;
   }
-  this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
   rtglyphs::GlyphLayers::Layer& layer = this->Reduced[0];
   layer.Follow(this->Common.Reduced, this->Common.Parts.Actor, this->Common.SelectionColor);
   layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));

@@ -12,6 +12,7 @@ import paraview.simple as pv
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
+import accumulation
 import comparison
 import session
 import step_velocity
@@ -260,6 +261,42 @@ vtkOutputWindow.SetInstance(window)
     pv.Delete(shown)
 
 
+#: Small balls in a cube, of which the last rank has a few, too few to be joined
+CLOUD = """
+import numpy
+points = numpy.random.default_rng(3).uniform(-1.0, 1.0, (20000, 3))
+arrays, ends = {"number": numpy.arange(20000)}, [0] + [19990 * (part + 1) // (ranks - 1) for part in range(ranks - 1)] + [20000]
+mine = slice(ends[rank], ends[rank + 1])
+"""
+
+
+def turning(view, ranks, failures):
+    """While the camera is turned few glyphs stand for many, on each rank for its own; at rest all are there again."""
+    for name, value in (("LODThreshold", 0.0), ("LODResolution", 0.03)):
+        view.SMProxy.GetProperty(name).SetElement(0, value)
+    view.SMProxy.UpdateVTKObjects()
+    shown = session.glyphs(session.points_of_ranks(CLOUD), view, "Sphere", 1, Orient=0, ScaleMode="No Data Scaling Off", ScaleFactor=0.02)
+    session.look(view, (1.2, 0.9, 4.6))
+    for light in ("Local", "Replicated"):
+        shown.ParallelLight = light
+        pv.Render(view)
+        still = session.capture(view, "parallel-still-%d-ranks" % ranks)
+        view.SMProxy.InteractiveRender()
+        turned = accumulation.shown_by(view)
+        few = shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(1) # of the first rank
+        comparison.write_image(session.output("parallel-turned-%d-ranks.png" % ranks), turned)
+        pv.Render(view)
+        again = int((session.capture(view, "parallel-again-%d-ranks" % ranks) != still).any(-1).sum())
+        covered, apart = (comparison.covered(picture)[50:150, 100:200] for picture in (turned, still))
+        ratio, left = covered.mean() / apart.mean(), few.GetNumberOfPoints() if few else 0
+        print("%d ranks, %s: %d points are turned, what they cover %.3f; %d pixels differ at rest" % (ranks, light, left, ratio, again))
+        if not 100 < left < 1000 or not 0.8 < ratio < 1.3 or again: # a moving picture is coarser
+            failures.append("turning, %s: %d points are turned, what they cover %.3f; %d pixels differ at rest" % (light, left, ratio, again))
+        if statistic(shown, "glyphs") != 20000 * (ranks if light == "Replicated" else 1):
+            failures.append("after turning, %s: %d glyphs of 20000" % (light, statistic(shown, "glyphs")))
+    pv.Delete(shown)
+
+
 def number_of_points(shown):
     """Points that carry glyphs, over all ranks."""
     return shown.GetRepresentedDataInformation().GetNumberOfPoints()
@@ -308,7 +345,7 @@ def main(folder):
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)
-    for check in (light, together, blocks, words):
+    for check in (light, together, blocks, words, turning):
         view = session.view(300, 200)
         check(view, ranks, failures)
         pv.Delete(view)

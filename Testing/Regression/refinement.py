@@ -131,7 +131,21 @@ def main():
     seen.clear()
     if not window.wait(finished, 30.0):
         failures.append("with a camera that rounding changes the image has %s samples, not %d" % (seen[-1], SAMPLES))
-    return failures
+    return failures if SERVER else failures + detail(window, view, shown)
+
+
+def detail(window, view, shown):
+    """With ParaView's level of detail few glyphs stand for many while the mouse turns the camera, and no longer."""
+    for name, value in (("LODThreshold", 0.0), ("LODResolution", 0.03)):
+        view.SMProxy.GetProperty(name).SetElement(0, value)
+    view.SMProxy.UpdateVTKObjects()
+
+    def few():
+        return shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(1) is not None
+
+    turned = window.drag("Viewport", (100, 100), (150, 120), release=False) and window.wait(few, 30.0)
+    window.mouse("Viewport", "release", (150, 120))
+    return ["few glyphs: %s while the camera is turned, not afterwards" % turned] if not turned or not window.wait(lambda: not few(), 30.0) else []
 
 
 def on_server():
