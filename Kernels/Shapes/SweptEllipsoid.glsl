@@ -192,7 +192,7 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
   real depth = real(0.0);
   bool met = false;
   int step = RTG_APPROACH;
-  int polishes = wantsNormal ? 6 : 0;
+  int polishes = 6;
   real scale = real(1.0) + length(way);
   for (int pass = 0; pass < 17 && step != RTG_DONE; ++pass)
   {
@@ -218,7 +218,9 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
     // From there plain numbers see the ellipsoid without cancellation.
     real moved = Subtract(near.start, start).hi;
     bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 9 || moved * moved * a < real(16.0)));
-    bool settled = polishes == 0 || !(abs(height.hi) < real(1.0)) ||
+    // An error of the height moves the crossing by its square only, but for grazing rays, and the normal by itself.
+    bool grazes = discriminant < real(1.0e-5) * a;
+    bool settled = polishes == 0 || !(wantsNormal || grazes) || !(abs(height.hi) < real(1.0)) ||
       (step == RTG_POLISH && abs(at) * scale < real(0.01 * RTG_ROUNDOFF));
     if (found)
     {
@@ -230,12 +232,13 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
     step = !found ? RTG_SEARCH : settled ? RTG_DONE : RTG_POLISH;
     if (step == RTG_POLISH)
     {
-      // An error of the height moves the crossing by its square only, but the normal by itself: Newton's method.
-      real rate;
-      real bend;
+      // Newton's method: MeetOneOfSweep() at a point of the ellipsoid, in double words where plain numbers cancel.
       DoubleWord3 gradient = Multiply(near.origin, weights);
-      MeetOneOfSweep(near.origin.hi, d, way, growth, weights.hi, side, rate, bend);
-      rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
+      real3 motion = way + growth * gradient.hi;
+      real rate =
+        SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
+      real rise = SumOf(Multiply(gradient, near.direction)).hi;
+      real bend = real(2.0) * dot(weights.hi * motion, motion) - dot(weights.hi * d, motion) * rate / rise;
       at = bend > real(0.0) && abs(rate) * scale < real(1.0e-4) * bend ? rate / bend : real(0.0);
       --polishes;
     }
