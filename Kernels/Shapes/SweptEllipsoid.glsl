@@ -219,7 +219,7 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
     real moved = Subtract(near.start, start).hi;
     bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 9 || moved * moved * a < real(16.0)));
     // An error of the height moves the crossing by its square only, but for grazing rays, and the normal by itself.
-    bool grazes = discriminant < real(1.0e-5) * a;
+    bool grazes = abs(discriminant) < real(1.0e-5) * a;
     bool settled = polishes == 0 || !(wantsNormal || grazes) || !(abs(height.hi) < real(1.0)) ||
       (step == RTG_POLISH && abs(at) * scale < real(0.01 * RTG_ROUNDOFF));
     if (found)
