@@ -33,10 +33,9 @@ void StoreNext(
   const SweepEnd& end, const SweepEnd& far, const glm::dmat3& toDiagonal, const glm::dvec3& squares, float* values)
 {
   const glm::dvec3 inverse = 1.0 / glm::sqrt(squares);
-  const glm::dmat3 toBall =
-    glm::dmat3(inverse.x, 0, 0, 0, inverse.y, 0, 0, 0, inverse.z) * toDiagonal;
-  const Eigensystem grown = Decompose(
-    SymmetricTensor::Of(toBall * Thickened(far.matrix) * glm::transpose(toBall) - glm::dmat3(1.0)));
+  const glm::dmat3 toBall = glm::dmat3(inverse.x, 0, 0, 0, inverse.y, 0, 0, 0, inverse.z) * toDiagonal;
+  const Eigensystem grown =
+    Decompose(SymmetricTensor::Of(toBall * Thickened(far.matrix) * glm::transpose(toBall) - glm::dmat3(1.0)));
   const glm::vec4 turn = Quaternion(glm::quat_cast(grown.vectors));
   const glm::vec3 way(glm::transpose(grown.vectors) * toBall * (far.middle - end.middle)), growth(grown.values);
   const float all[] = { turn.x, turn.y, turn.z, turn.w, way.x, way.y, way.z, growth.x, growth.y, growth.z };

@@ -199,7 +199,9 @@ vec4 ColorBetweenEnds(const GlyphSetRecord set, const GlyphRay ray, const Glyph 
 {
   float extent = IsOfShape(set.shape, RTG_SWEPT) ? glyph.after.w : glyph.size.x;
   vec3 position = FromCenter(ray, glyph, t) / max(extent, 1e-30);
-  float fraction = clamp(Has(set.variants, POLYNOMIALS) && !IsOfShape(set.shape, RTG_SWEPT) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
+  float fraction = clamp(
+    Has(set.variants, POLYNOMIALS) && !IsOfShape(set.shape, RTG_SWEPT) ? 2.0 * length(position) : position.x + 0.5, 0.0,
+    1.0);
   uvec2 ends = set.endColors.at[InSetIfHit(set, END_COLORS, number)];
   vec4 color;
   if (Has(set.variants, END_VALUES))

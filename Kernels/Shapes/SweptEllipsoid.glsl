@@ -102,8 +102,8 @@ RTG_FN HeightSearch SearchFrom(const real at, const real low, const real high)
 
 // Takes the rate at search.at and its derivative. `enough`: a step that need not be taken, but where rates are above
 // `leastRate`.
-RTG_FN HeightSearch
-NextHeight(const HeightSearch search, const real rate, const real bend, const real enough, const real leastRate)
+RTG_FN HeightSearch NextHeight(
+  const HeightSearch search, const real rate, const real bend, const real enough, const real leastRate)
 {
   HeightSearch next = search;
   if (rate < real(0.0))
@@ -119,8 +119,8 @@ NextHeight(const HeightSearch search, const real rate, const real bend, const re
   real middle = real(0.5) * (next.low + next.high);
   // Newton's method, or a bisection where that does not halve the rate.
   next.at = bend > real(0.0) ? search.at - rate / bend : middle;
-  next.done = (bend > real(0.0) && abs(next.at - search.at) <= enough && abs(rate) < leastRate) ||
-    !(next.low < next.high);
+  next.done =
+    (bend > real(0.0) && abs(next.at - search.at) <= enough && abs(rate) < leastRate) || !(next.low < next.high);
   if (!next.done && !(next.at > next.low))
   {
     next.at = next.lowIsEnd ? next.low : middle;
@@ -171,8 +171,7 @@ struct SweptPoint
 };
 
 // Where the ray enters or leaves the sweep.
-RTG_FN bool
-MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(SweptPoint) point)
+RTG_FN bool MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(SweptPoint) point)
 {
   real3 d = swept.ray.direction.hi;
   real3 way = swept.way.hi;
@@ -235,8 +234,7 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
       // Newton's method: MeetOneOfSweep() at a point of the ellipsoid, in double words where plain numbers cancel.
       DoubleWord3 gradient = Multiply(near.origin, weights);
       real3 motion = way + growth * gradient.hi;
-      real rate =
-        SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
+      real rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
       real rise = SumOf(Multiply(gradient, near.direction)).hi;
       real bend = real(2.0) * dot(weights.hi * motion, motion) - dot(weights.hi * d, motion) * rate / rise;
       at = bend > real(0.0) && abs(rate) * scale < real(1.0e-4) * bend ? rate / bend : real(0.0);
@@ -277,8 +275,7 @@ RTG_FN SweptDrop DropAlong(const real3 p, const real3 way, const real3 growth)
   real at = clamp(search.at, real(0.0), real(1.0));
   real3 weights = real3(1.0) / max(real3(1.0) + at * growth, real3(RTG_LEAST_SQUARE));
   real3 left = p - at * way;
-  return SweptDrop(dot(weights * left, left),
-    at * dot(weights, p * (real(2.0) * way + growth * p) - at * way * way));
+  return SweptDrop(dot(weights * left, left), at * dot(weights, p * (real(2.0) * way + growth * p) - at * way * way));
 }
 
 // Whether a point of the sweep's surface, or of its inside, lies in the next piece of the line at an end (side -1, 1).
@@ -426,8 +423,9 @@ RTG_FN int EstimateSweptEllipsoid(
   real3 d = ToDiagonal(glyph, RotateToLocal(glyph, ray.direction));
   real3 way = ToDiagonal(glyph, real3(real(0.5) * glyph.after.w, real(0.0), real(0.0)));
   real3 growth = glyph.exponents - real3(1.0);
-  real3 rows = real3((real(1.0) + real(2.0) * (abs(glyph.after.x) / glyph.size.y + abs(glyph.after.y) / glyph.size.z)) /
-      glyph.after.z, real(2.0) / glyph.size.y, real(2.0) / glyph.size.z);
+  real3 rows = real3(
+    (real(1.0) + real(2.0) * (abs(glyph.after.x) / glyph.size.y + abs(glyph.after.y) / glyph.size.z)) / glyph.after.z,
+    real(2.0) / glyph.size.y, real(2.0) / glyph.size.z);
   real away = abs(v.x) + abs(v.y) + abs(v.z) + real(6.0) * (glyph.size.x + glyph.size.y + glyph.size.z);
   real diagonalMoved = real(16.0 * RTG_ROUNDOFF) * (rows.x + rows.y + rows.z) * away;
 
@@ -454,7 +452,8 @@ RTG_FN int EstimateSweptEllipsoid(
     real halfChord = sqrt(max(depth, real(4.0) * tolerance));
     real perUnit = inversesqrt(ee);
     real toSurface = -side * perUnit * halfChord;
-    // The plane that touches the ball where the ray meets it, or is nearest to it, and how far the sweep reaches beyond.
+    // The plane that touches the ball where the ray meets it, or is nearest to it, and how far the sweep reaches
+    // beyond.
     real3 n = going ? q - toSurface * e : q;
     real3 r = scale * n;
     real along = dot(way, r);

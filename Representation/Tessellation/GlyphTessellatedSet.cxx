@@ -214,8 +214,8 @@ public:
     const bool few = this->All.Count() <= rtglyphs::GlyphTessellatedSet::MostMeshes;
     for (std::size_t glyph = 0; few && glyph < this->All.Count(); ++glyph)
     {
-      const std::size_t part = this->AddMesh("Sweep_" + std::to_string(glyph),
-        rtglyphs::GlyphTessellation::SweptEllipsoid(this->All, glyph));
+      const std::size_t part =
+        this->AddMesh("Sweep_" + std::to_string(glyph), rtglyphs::GlyphTessellation::SweptEllipsoid(this->All, glyph));
       this->Add(part, glyph, glm::vec3(1.0f));
     }
     return few;
@@ -366,9 +366,10 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
     case rtg::Shape::SweptEllipsoid:
       if (!assembly.AddSweeps())
       {
-        messages.push_back(std::to_string(instances.Count()) + " pieces of tubes of covariances are left out of the "
-          "exported file, which has a mesh for each of at most " + std::to_string(MostMeshes) +
-          ". Show fewer lines, for example with Threshold, or another TubeRadiusArray.");
+        messages.push_back(std::to_string(instances.Count()) +
+          " pieces of tubes of covariances are left out of the "
+          "exported file, which has a mesh for each of at most " +
+          std::to_string(MostMeshes) + ". Show fewer lines, for example with Threshold, or another TubeRadiusArray.");
       }
       break;
     default:

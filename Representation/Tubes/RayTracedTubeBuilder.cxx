@@ -388,7 +388,8 @@ private:
         ? std::optional<rtg::SweepEnd>()
         : rtg::SweepEnd{ this->Places[point], this->Ellipsoids[this->RadiiOfCells ? piece.Cell : point].first };
     };
-    rtg::StoreSweep(*end(piece.Ends[0]), *end(piece.Ends[1]), i, this->Out.Instances, end(piece.Beyond[0]), end(piece.Beyond[1]));
+    rtg::StoreSweep(
+      *end(piece.Ends[0]), *end(piece.Ends[1]), i, this->Out.Instances, end(piece.Beyond[0]), end(piece.Beyond[1]));
     this->Out.Cells[i] = piece.Cell;
     this->Out.Ends[i] = piece.Ends;
   }

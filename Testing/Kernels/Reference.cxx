@@ -230,7 +230,8 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
 {
   const QuadVector o = ToQuad(origin);
   const QuadVector d = ToQuad(glm::dvec3(direction));
-  const QuadVector lo = Turned(this->rotation_, { o.x - this->center_.x, o.y - this->center_.y, o.z - this->center_.z }, false);
+  const QuadVector lo =
+    Turned(this->rotation_, { o.x - this->center_.x, o.y - this->center_.y, o.z - this->center_.z }, false);
   const QuadVector ld = Turned(this->rotation_, d, false);
   Quad scale = factor;
   if (this->shape_ == Shape::Arrow)
@@ -376,9 +377,12 @@ void ReferenceGlyph::MeetSweep(const UnitRay& ray, int side, std::vector<Referen
     const Quad x = (p.x - y * this->shear_.x - z * this->shear_.y) / this->shear_.z;
     return Turned(this->diagonal_, { x, y, z }, false);
   };
-  const QuadVector o = toDiagonal(ray.origin), d = toDiagonal(ray.direction), way = toDiagonal({ this->halfWay_, 0, 0 });
+  const QuadVector o = toDiagonal(ray.origin), d = toDiagonal(ray.direction),
+                   way = toDiagonal({ this->halfWay_, 0, 0 });
   const QuadVector& growth = this->exponents_;
-  const auto scaled = [](const QuadVector& a, const QuadVector& b) { return QuadVector{ a.x * b.x, a.y * b.y, a.z * b.z }; };
+  const auto scaled = [](const QuadVector& a, const QuadVector& b) {
+    return QuadVector{ a.x * b.x, a.y * b.y, a.z * b.z };
+  };
   Quad low = -1, high = 1, s = 0;
   QuadVector gradient;
   bool met = false;

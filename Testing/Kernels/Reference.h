@@ -71,7 +71,8 @@ private:
   void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance, std::vector<ReferenceCrossing>& crossings) const;
   /// Superquadrics: SuperquadricReference.cxx.
   void MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
-  /// By bisection of the height: Shapes/README.md, Swept ellipsoids. `side`: -1 where the line enters, 1 where it leaves.
+  /// By bisection of the height: Shapes/README.md, Swept ellipsoids. `side`: -1 where the line enters, 1 where it
+  /// leaves.
   void MeetSweep(const UnitRay& ray, int side, std::vector<ReferenceCrossing>& crossings) const;
   void MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
   void MeetBall(const UnitRay& ray, const Ball& ball, std::vector<ReferenceCrossing>& crossings) const;
@@ -88,8 +89,8 @@ private:
   int degree_ = 0;       ///< of the polynomial
   Quad arrowLength_ = 0; ///< in world units
   Rotation rotation_;
-  Rotation diagonal_;          ///< of a swept ellipsoid, whose matrices are diagonal in that frame
-  QuadVector shear_, half_;    ///< from that of the unit ball half-way
+  Rotation diagonal_;       ///< of a swept ellipsoid, whose matrices are diagonal in that frame
+  QuadVector shear_, half_; ///< from that of the unit ball half-way
   Quad halfWay_ = 0;
   /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.
   std::vector<ProfilePoint> profile_;

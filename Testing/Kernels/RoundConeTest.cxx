@@ -25,13 +25,15 @@ struct Line
   std::vector<double> radii;
   rtg::GlyphInstances sweeps[2]; ///< instead of round cones: single, and joined
 
-  rtg::Shape Shape() const { return this->sweeps[0].shape == rtg::Shape::Sphere ? rtg::Shape::RoundCone : rtg::Shape::SweptEllipsoid; }
+  rtg::Shape Shape() const
+  {
+    return this->sweeps[0].shape == rtg::Shape::Sphere ? rtg::Shape::RoundCone : rtg::Shape::SweptEllipsoid;
+  }
 
   /// Of covariances at the points.
   void Sweep(const std::vector<rtg::SymmetricTensor>& matrices)
   {
-    const auto end = [&](std::size_t i)
-    {
+    const auto end = [&](std::size_t i) {
       return i < matrices.size() ? std::optional<rtg::SweepEnd>({ this->points[i], matrices[i] }) : std::nullopt;
     };
     for (int joined = 0; joined < 2; ++joined)
@@ -186,7 +188,8 @@ void ExpectNothingInside(double bend, double leastRadius, double mostRadius, dou
   const auto matrix = [&](double radius, const glm::dmat3& axes)
   {
     const glm::dvec3 squares(1.0, std::abs(uniform(engine)) + thinness * thinness, thinness * thinness);
-    return radius * radius * axes * glm::dmat3(squares.x, 0, 0, 0, squares.y, 0, 0, 0, squares.z) * glm::transpose(axes);
+    return radius * radius * axes * glm::dmat3(squares.x, 0, 0, 0, squares.y, 0, 0, 0, squares.z) *
+      glm::transpose(axes);
   };
   const auto axes = [&]
   {
@@ -296,26 +299,26 @@ TYPED_TEST(RoundConeLineTest, StraightLinesHaveNoSeams)
     {
       line.Sweep(std::vector<rtg::SymmetricTensor>(5, { 0.25, 0.25, 0.25, 0.0, 0.0, 0.0 }));
     }
-  for (int k = -256; k <= 256; ++k)
-  {
-    const bool inJoint = k % 128 == 0;
-    for (int row = 0; row < (inJoint ? rows : 1); ++row)
+    for (int k = -256; k <= 256; ++k)
     {
-      int wrong = 0;
-      const double offset = 0.3 - row / 64.0, half = std::sqrt(0.25 - offset * offset);
-      for (int turn = 0; turn < (inJoint ? turns : 1); ++turn)
+      const bool inJoint = k % 128 == 0;
+      for (int row = 0; row < (inJoint ? rows : 1); ++row)
       {
-        const double angle = 2.0 * std::numbers::pi * turn / turns, c = std::cos(angle), s = std::sin(angle);
-        typename Line<TypeParam>::Kernel::GlyphRay ray{};
-        ray.origin = { TypeParam(k) / 128, TypeParam(3 * c - offset * s), TypeParam(3 * s + offset * c) };
-        ray.direction = { 0, TypeParam(-c), TypeParam(-s) };
-        const std::vector<double> found = line.Crossings(ray, true, &outside, &inside);
-        wrong +=
-          found.size() != 2 || std::abs(found[0] - (3.0 - half)) > 1e-6 || std::abs(found[1] - (3.0 + half)) > 1e-6;
+        int wrong = 0;
+        const double offset = 0.3 - row / 64.0, half = std::sqrt(0.25 - offset * offset);
+        for (int turn = 0; turn < (inJoint ? turns : 1); ++turn)
+        {
+          const double angle = 2.0 * std::numbers::pi * turn / turns, c = std::cos(angle), s = std::sin(angle);
+          typename Line<TypeParam>::Kernel::GlyphRay ray{};
+          ray.origin = { TypeParam(k) / 128, TypeParam(3 * c - offset * s), TypeParam(3 * s + offset * c) };
+          ray.direction = { 0, TypeParam(-c), TypeParam(-s) };
+          const std::vector<double> found = line.Crossings(ray, true, &outside, &inside);
+          wrong +=
+            found.size() != 2 || std::abs(found[0] - (3.0 - half)) > 1e-6 || std::abs(found[1] - (3.0 + half)) > 1e-6;
+        }
+        EXPECT_EQ(wrong, 0) << "x = " << k / 128.0 << ", " << offset << " beside the axis";
       }
-      EXPECT_EQ(wrong, 0) << "x = " << k / 128.0 << ", " << offset << " beside the axis";
     }
-  }
   }
   EXPECT_EQ(outside.wrong + inside.wrong, 0);
 }
