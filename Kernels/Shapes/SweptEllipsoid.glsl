@@ -237,7 +237,7 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const bool wantsNor
       real rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
       real rise = SumOf(Multiply(gradient, near.direction)).hi;
       real bend = real(2.0) * dot(weights.hi * motion, motion) - dot(weights.hi * d, motion) * rate / rise;
-      at = bend > real(0.0) && abs(rate) * scale < real(1.0e-4) * bend ? rate / bend : real(0.0);
+      at = bend > real(0.0) && abs(rate) * scale < real(0.01) * bend ? rate / bend : real(0.0);
       --polishes;
     }
   }

@@ -23,7 +23,7 @@ struct Line
 
   std::vector<glm::dvec3> points;
   std::vector<double> radii;
-  rtg::GlyphInstances sweeps[2]; ///< instead of round cones: single, and joined
+  rtg::GlyphInstances sweeps[2]{}; ///< instead of round cones: single, and joined
 
   rtg::Shape Shape() const
   {
@@ -196,7 +196,8 @@ void ExpectNothingInside(double bend, double leastRadius, double mostRadius, dou
     const glm::dvec3 axis(uniform(engine), uniform(engine), uniform(engine));
     return glm::mat3_cast(glm::angleAxis(3.0 * uniform(engine), glm::normalize(axis)));
   };
-  for (int k = 0; k < 200; ++k)
+  const int lines = thinness > 0 ? 50 : 200;
+  for (int k = 0; k < lines; ++k)
   {
     Line<Real> line;
     glm::dvec3 direction(1, 0, 0);
@@ -244,17 +245,17 @@ void ExpectNothingInside(double bend, double leastRadius, double mostRadius, dou
       }
     }
   }
-  EXPECT_GT(met, 10000);
-  EXPECT_GT(judged, 39000);
+  EXPECT_GT(met, 50 * lines);
+  EXPECT_GT(judged, 195 * lines);
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(far, 0);
   // What rays meet and miss is certain without double words but next to silhouettes and creases.
   EXPECT_EQ(outside.wrong + inside.wrong + plain.wrong, 0);
-  if (thinness == 0)
+  if (thinness == 0) // hits of joined sweeps stay open
   {
     EXPECT_LT(outside.open, outside.asked / 40);
   }
-  EXPECT_LT(plain.open, plain.asked / 300);
+  EXPECT_LT(plain.open, plain.asked / (thinness > 0 ? 60 : 300));
 }
 
 TYPED_TEST(RoundConeLineTest, BentLinesHaveNothingInside)
