@@ -182,7 +182,7 @@ void ExpectNothingInside(double bend, double leastRadius, double mostRadius, dou
 {
   std::mt19937_64 engine(11);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const double apart = sizeof(Real) == sizeof(float) ? 1e-4 : 1e-8;
+  const double apart = sizeof(Real) == sizeof(float) || thinness > 0 ? 1e-4 : 1e-8; // sweeps are stored as floats
   int met = 0, judged = 0, wrong = 0, far = 0;
   typename Line<Real>::Estimates outside, inside, plain;
   const auto matrix = [&](double radius, const glm::dmat3& axes)
