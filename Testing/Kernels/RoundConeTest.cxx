@@ -23,12 +23,9 @@ struct Line
 
   std::vector<glm::dvec3> points;
   std::vector<double> radii;
-  rtg::GlyphInstances sweeps[2]{}; ///< instead of round cones: single, and joined
+  std::vector<rtg::GlyphInstances> sweeps{}; ///< instead of round cones: single, and joined
 
-  rtg::Shape Shape() const
-  {
-    return this->sweeps[0].shape == rtg::Shape::Sphere ? rtg::Shape::RoundCone : rtg::Shape::SweptEllipsoid;
-  }
+  rtg::Shape Shape() const { return this->sweeps.empty() ? rtg::Shape::RoundCone : rtg::Shape::SweptEllipsoid; }
 
   /// Of covariances at the points.
   void Sweep(const std::vector<rtg::SymmetricTensor>& matrices)
@@ -36,6 +33,7 @@ struct Line
     const auto end = [&](std::size_t i) {
       return i < matrices.size() ? std::optional<rtg::SweepEnd>({ this->points[i], matrices[i] }) : std::nullopt;
     };
+    this->sweeps.resize(2);
     for (int joined = 0; joined < 2; ++joined)
     {
       rtg::GlyphInstances& all = this->sweeps[joined];
