@@ -38,6 +38,7 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.center = glyph.centerLow = glm::vec3(0.0f);
   glyph.size = instances.SizeOf(i);
   glyph.sameSize = instances.sizes3.empty();
+  glyph.joined = false;
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);

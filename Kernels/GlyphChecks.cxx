@@ -5,6 +5,7 @@
 #include "HarmonicForms.h"
 #include "MeshTree.h"
 #include "Parallel.h"
+#include "SweptEllipsoid.h"
 
 #include <algorithm>
 #include <atomic>
@@ -187,7 +188,8 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   }
   if (instances.shape == Shape::SweptEllipsoid &&
     (instances.sizes3.empty() || instances.rotations.empty() || instances.exponents3.empty() ||
-      instances.before.empty() || instances.after.empty()))
+      instances.before.empty() || instances.after.empty() ||
+      (!instances.polynomials.empty() && instances.polynomials.width != valuesOfNextSweeps)))
   {
     Fail("swept ellipsoids lack some of their arrays; fill them with StoreSweep().");
   }

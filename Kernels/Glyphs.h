@@ -153,7 +153,9 @@ struct GlyphInstances
   std::vector<glm::vec3> forms;
 
   /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that even degree,
-  /// 2 to 12. In units of a glyph's size its surface is at the distance |f| / 2 from the center.
+  /// 2 to 12. In units of a glyph's size its surface is at the distance |f| / 2 from the center. Of
+  /// Shape::SweptEllipsoid what StoreSweep() makes of the next pieces of a line, or empty: what lies inside these
+  /// counts as surface, too.
   GlyphTuples polynomials;
   int polynomialDegree = 0;
   /// Color rule of a point of a glyph's surface, in place of the glyphs' colors; their opacity stays.

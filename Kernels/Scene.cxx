@@ -118,8 +118,11 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   }
   if (instances.shape != Shape::Polynomial)
   {
-    instances.polynomials = {};
     instances.polynomialDegree = 0;
+    if (instances.shape != Shape::SweptEllipsoid)
+    {
+      instances.polynomials = {};
+    }
   }
   set.count = instances.Count();
   set.translucentInstances = IsTranslucent(instances);

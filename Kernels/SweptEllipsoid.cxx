@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace rtg
 {
@@ -27,9 +28,24 @@ glm::dmat3 Thickened(const SymmetricTensor& tensor)
     glm::transpose(v);
 }
 
+// `toDiagonal`: the frame in which the matrix of the shared end is diagonal with these squares.
+void StoreNext(
+  const SweepEnd& end, const SweepEnd& far, const glm::dmat3& toDiagonal, const glm::dvec3& squares, float* values)
+{
+  const glm::dvec3 inverse = 1.0 / glm::sqrt(squares);
+  const glm::dmat3 toBall = glm::dmat3(inverse.x, 0, 0, 0, inverse.y, 0, 0, 0, inverse.z) * toDiagonal;
+  const Eigensystem grown =
+    Decompose(SymmetricTensor::Of(toBall * Thickened(far.matrix) * glm::transpose(toBall) - glm::dmat3(1.0)));
+  const glm::vec4 turn = Quaternion(glm::quat_cast(grown.vectors));
+  const glm::vec3 way(glm::transpose(grown.vectors) * toBall * (far.middle - end.middle)), growth(grown.values);
+  const float all[] = { turn.x, turn.y, turn.z, turn.w, way.x, way.y, way.z, growth.x, growth.y, growth.z };
+  std::copy(std::begin(all), std::end(all), values);
+}
+
 } // namespace
 
-void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances)
+void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances,
+  const std::optional<SweepEnd>& before, const std::optional<SweepEnd>& after)
 {
   const glm::dvec3 way = last.middle - first.middle;
   const double length = glm::length(way);
@@ -62,6 +78,21 @@ void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, 
   instances.before[index] = Quaternion(glm::quat_cast(grown.vectors));
   instances.after[index] = glm::vec4(shearedY, shearedZ, along, length);
   instances.exponents3[index] = glm::vec3(glm::clamp(1.0 + grown.values, 1e-9, 2.0));
+  if (!instances.polynomials.empty())
+  {
+    const glm::dmat3 toDiagonal = glm::transpose(grown.vectors) * back;
+    const glm::dvec3 stored = glm::dvec3(instances.exponents3[index]) - 1.0;
+    float* values = instances.polynomials[index];
+    std::fill_n(values, valuesOfNextSweeps, 0.0f);
+    if (before)
+    {
+      StoreNext(first, *before, toDiagonal, glm::max(1.0 - stored, glm::dvec3(1e-9)), values);
+    }
+    if (after)
+    {
+      StoreNext(last, *after, toDiagonal, glm::max(1.0 + stored, glm::dvec3(1e-9)), values + valuesOfNextSweeps / 2);
+    }
+  }
 }
 
 } // namespace rtg

@@ -3,6 +3,9 @@
 
 #include "Tensor.h"
 
+#include <cstddef>
+#include <optional>
+
 namespace rtg
 {
 
@@ -15,8 +18,13 @@ struct SweepEnd
   SymmetricTensor matrix; ///< positive semidefinite; not both are zero, nor are both middles the same
 };
 
+/// Width of GlyphInstances::polynomials of pieces of lines inside which nothing is left.
+constexpr std::size_t valuesOfNextSweeps = 20;
+
 /// Stores a Shape::SweptEllipsoid as the glyph of that index, which the arrays have. A half-axis is at least the
-/// fraction thinnestTensorGlyph of its ellipsoid's largest.
-void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances);
+/// fraction thinnestTensorGlyph of its ellipsoid's largest. `before` and `after`: the far ends of the pieces before
+/// `first` and after `last`; they count where GlyphInstances::polynomials is there.
+void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances,
+  const std::optional<SweepEnd>& before = {}, const std::optional<SweepEnd>& after = {});
 
 } // namespace rtg

@@ -26,6 +26,7 @@ GlyphSource SourceOf(const GlyphSetRecord set)
   source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
   source.alike.turned = Has(set.variants, ROTATIONS | ANGULAR_VELOCITIES);
   source.alike.sameSize = !Has(set.variants, SIZES_EACH);
+  source.alike.joined = IsOfShape(set.shape, RTG_SWEPT) && Has(set.variants, POLYNOMIALS);
   source.alike.arrow = vec4(set.shaftRadius, set.tipRadius, set.tipLength, set.tipRounding);
   source.alike.unitLength = set.unitLength > 0.0 ? set.unitLength : set.uniformSize;
   source.alike.fixedHeads = Has(set.variants, FIXED_HEADS);
@@ -101,8 +102,9 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, co
     return EstimateMesh(set, ray, glyph, tMin, tMax, low, high);
   }
   int verdict = EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
-  // A glyph that takes its cut along may be cut off where it would be met, and a round cone closed where it would not.
-  bool open = verdict == RTG_MET || IsOfShape(set.shape, RTG_OWN_ESTIMATE);
+  // A glyph that takes its cut along may be cut off where it would be met, and a piece of a line closed where it would
+  // not.
+  bool open = verdict == RTG_MET || IsOfShape(set.shape, RTG_OWN_ESTIMATE) || IsOfShape(set.shape, RTG_SWEPT);
   return open && Has(set.variants, SECTION_MOVES) ? RTG_UNKNOWN : verdict;
 }
 
@@ -164,8 +166,15 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
     met = IntersectGlyph(set.shape, ray, glyph, tMin, atCap ? RTG_NEVER : tMax, wantsNormal || atCap, t, normal);
     if (atCap)
     {
-      bool piece = Has(set.variants, BEFORE | AFTER) && IsOfShape(set.shape, RTG_OWN_ESTIMATE);
-      inside = piece ? IsInPiece(ray, glyph, tMin) : met && dot(normal, ray.direction) > 0.0;
+      inside = met && dot(normal, ray.direction) > 0.0;
+      if (Has(set.variants, BEFORE | AFTER) && IsOfShape(set.shape, RTG_OWN_ESTIMATE))
+      {
+        inside = IsInPiece(ray, glyph, tMin);
+      }
+      if (IsOfShape(set.shape, RTG_SWEPT))
+      {
+        inside = IsInSweep(ray, glyph, tMin);
+      }
       met = met && t <= tMax;
     }
   }
@@ -190,7 +199,9 @@ vec4 ColorBetweenEnds(const GlyphSetRecord set, const GlyphRay ray, const Glyph 
 {
   float extent = IsOfShape(set.shape, RTG_SWEPT) ? glyph.after.w : glyph.size.x;
   vec3 position = FromCenter(ray, glyph, t) / max(extent, 1e-30);
-  float fraction = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
+  float fraction = clamp(
+    Has(set.variants, POLYNOMIALS) && !IsOfShape(set.shape, RTG_SWEPT) ? 2.0 * length(position) : position.x + 0.5, 0.0,
+    1.0);
   uvec2 ends = set.endColors.at[InSetIfHit(set, END_COLORS, number)];
   vec4 color;
   if (Has(set.variants, END_VALUES))

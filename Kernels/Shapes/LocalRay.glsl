@@ -20,13 +20,14 @@ struct Glyph
   real4 rotation; // unit quaternion (x, y, z, w), unit glyph to world; used only when turned
   bool turned;
   bool sameSize; // size.x == size.y == size.z is known
+  bool joined;   // `values` are those of the next pieces of a line
   real4 arrow;   // shaft radius, tip radius, tip length, tip rounding
   bool fixedHeads;
   real unitLength;
   real3 exponents; // of a superquadric's axes
   real4 before;    // of a round cone: RoundCone.glsl
   real4 after;
-  RTG_VALUES values; // of polynomials: PolynomialForm.glsl
+  RTG_VALUES values; // of polynomials: PolynomialForm.glsl; of joined pieces
   int firstValue;
   int degree; // of this glyph's polynomial
 };

@@ -6,6 +6,12 @@
 //   before: rotation to v from the frame in which the matrices are diagonal, 1 half-way
 //   exponents: their diagonals at the end at +x, in [0, 2]
 //   after.w: distance between the ends
+//
+// It may be a piece of a line (Glyph::joined): crossings that lie inside the next piece at either end are none. The
+// ellipsoid that both share belongs to the piece before it. RTG_JOINT_VALUES numbers describe the next piece at -x, as
+// many that at +x: in the frame in which the shared ellipsoid is the unit ball, the rotation to that frame from the one
+// in which the next piece's matrices are diagonal, and in that one the way to its far end, all zero where there is
+// none, and how much the matrix grows up to there.
 #ifndef RTG_SWEPT_ELLIPSOID
 #define RTG_SWEPT_ELLIPSOID
 
@@ -20,6 +26,7 @@
 #define RTG_POLISH 2
 #define RTG_DONE 3
 
+#define RTG_JOINT_VALUES 10
 #define RTG_LEAST_SQUARE 1.0e-9 // half-axes are at least 3e-5 of those half-way
 
 // The ray in the frame of diagonal matrices: at height a in [-1, 1] the middle is a way, the matrix 1 + a growth.
@@ -76,6 +83,57 @@ RTG_FN void MeetOneOfSweep(const real3 o, const real3 d, const real3 way, const 
   bend = real(2.0) * dot(weights * motion, motion) + mixed * slope;
 }
 
+// A search for the height where a rate that rises is zero, or for the end of the range that is next to it.
+struct HeightSearch
+{
+  real at;
+  real low;
+  real high;
+  bool lowIsEnd;
+  bool highIsEnd;
+  real rate; // the last
+  bool done;
+};
+
+RTG_FN HeightSearch SearchFrom(const real at, const real low, const real high)
+{
+  return HeightSearch(at, low, high, true, true, real(RTG_NEVER), false);
+}
+
+// Takes the rate at search.at and its derivative. `enough`: a step that need not be taken, but where rates are above
+// `leastRate`.
+RTG_FN HeightSearch NextHeight(
+  const HeightSearch search, const real rate, const real bend, const real enough, const real leastRate)
+{
+  HeightSearch next = search;
+  if (rate < real(0.0))
+  {
+    next.low = search.at;
+    next.lowIsEnd = false;
+  }
+  else
+  {
+    next.high = search.at;
+    next.highIsEnd = false;
+  }
+  real middle = real(0.5) * (next.low + next.high);
+  // Newton's method, or a bisection where that does not halve the rate.
+  next.at = bend > real(0.0) ? search.at - rate / bend : middle;
+  next.done =
+    (bend > real(0.0) && abs(next.at - search.at) <= enough && abs(rate) < leastRate) || !(next.low < next.high);
+  if (!next.done && !(next.at > next.low))
+  {
+    next.at = next.lowIsEnd ? next.low : middle;
+  }
+  if (!next.done && !(next.at < next.high))
+  {
+    next.at = next.highIsEnd ? next.high : middle;
+  }
+  next.at = abs(rate) > real(0.5) * search.rate && !next.done ? middle : next.at;
+  next.rate = abs(rate);
+  return next;
+}
+
 // The height, less `start`, of the ellipsoid that the line enters first, or leaves last. Where a line is inside, F is a
 // convex function of height and s, so the rate tells on which side of a height that ellipsoid is.
 RTG_FN real HeightOfCrossing(
@@ -83,46 +141,18 @@ RTG_FN real HeightOfCrossing(
 {
   real low = real(-1.0) - start;
   real high = real(1.0) - start;
-  bool lowIsEnd = true;
-  bool highIsEnd = true;
-  real at = clamp(real(0.0), low, high);
-  real enough = real(0.05) * sqrt(real(RTG_ROUNDOFF)) / (real(1.0) + length(way));
-  real before = real(RTG_NEVER);
-  bool done = false;
-  for (int i = 0; i < 80 && !done; ++i)
+  HeightSearch search = SearchFrom(clamp(real(0.0), low, high), low, high);
+  real scale = real(1.0) + length(way);
+  for (int i = 0; i < 80 && !search.done; ++i)
   {
     real rate;
     real bend;
-    real3 squares = max(real3(1.0) + (start + at) * growth, real3(RTG_LEAST_SQUARE));
-    MeetOneOfSweep(o - at * way, d, way, growth, real3(1.0) / squares, side, rate, bend);
-    if (rate < real(0.0))
-    {
-      low = at;
-      lowIsEnd = false;
-    }
-    else
-    {
-      high = at;
-      highIsEnd = false;
-    }
-    real middle = real(0.5) * (low + high);
-    // Newton's method, or a bisection where that does not halve the rate.
-    real next = bend > real(0.0) ? at - rate / bend : middle;
+    real3 squares = max(real3(1.0) + (start + search.at) * growth, real3(RTG_LEAST_SQUARE));
+    MeetOneOfSweep(o - search.at * way, d, way, growth, real3(1.0) / squares, side, rate, bend);
     // Steps are short, too, where the line hardly meets that ellipsoid.
-    done = (bend > real(0.0) && abs(next - at) <= enough && abs(rate) < real(1.0e-3) * (real(1.0) + length(way))) ||
-      !(low < high);
-    if (!done && !(next > low))
-    {
-      next = lowIsEnd ? low : middle;
-    }
-    if (!done && !(next < high))
-    {
-      next = highIsEnd ? high : middle;
-    }
-    at = abs(rate) > real(0.5) * before && !done ? middle : next;
-    before = abs(rate);
+    search = NextHeight(search, rate, bend, real(0.05) * sqrt(real(RTG_ROUNDOFF)) / scale, real(1.0e-3) * scale);
   }
-  return clamp(at, real(-1.0) - start, real(1.0) - start);
+  return clamp(search.at, low, high);
 }
 
 // 1 - F.
@@ -131,9 +161,17 @@ RTG_FN real SweptDepth(const DoubleWord3 o, const DoubleWord3 weights)
   return -Add(SumOf(Multiply(o, Multiply(o, weights))), real(-1.0)).hi;
 }
 
-// Where the ray enters or leaves the sweep; half the gradient of F there, which is right only where it is wanted.
-RTG_FN bool
-MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(DoubleWord3) gradient)
+// A point of the sweep's surface.
+struct SweptPoint
+{
+  real t;
+  DoubleWord height;
+  DoubleWord3 fromMiddle; // of the ellipsoid at that height
+  DoubleWord3 gradient;   // half that of F: right only where it is wanted
+};
+
+// Where the ray enters or leaves the sweep.
+RTG_FN bool MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(SweptPoint) point)
 {
   real3 d = swept.ray.direction.hi;
   real3 way = swept.way.hi;
@@ -153,14 +191,16 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
   real depth = real(0.0);
   bool met = false;
   int step = RTG_APPROACH;
-  int polishes = wantsNormal ? 3 : 0;
-  for (int pass = 0; pass < 14 && step != RTG_DONE; ++pass)
+  int polishes = 6;
+  real scale = real(1.0) + length(way);
+  for (int pass = 0; pass < 17 && step != RTG_DONE; ++pass)
   {
     if (step == RTG_SEARCH)
     {
       at = HeightOfCrossing(near.origin.hi, d, way, growth, height.hi, side);
     }
     height = Add(height, at);
+    DoubleWord start = near.start;
     near.origin = Subtract(near.origin, Multiply(swept.way, real3(at)));
     DoubleWord3 squares = Add(Multiply(swept.growth, Word3(height)), real3(1.0));
     squares.hi = max(squares.hi, real3(RTG_LEAST_SQUARE));
@@ -174,27 +214,34 @@ MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT
     met = discriminant >= real(-64.0 * RTG_ROUNDOFF) * a;
     near = Advance(near, (side * sqrt(max(discriminant, real(0.0))) - b) / a);
 
-    bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 9 || abs(at) * length(way) < real(1.0)));
-    bool settled = polishes == 0 || !(abs(height.hi) < real(1.0));
+    // From there plain numbers see the ellipsoid without cancellation.
+    real moved = Subtract(near.start, start).hi;
+    bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 9 || moved * moved * a < real(16.0)));
+    // An error of the height moves the crossing by its square only, but for grazing rays, and the normal by itself.
+    bool grazes = abs(discriminant) < real(1.0e-5) * a;
+    bool settled = polishes == 0 || !(wantsNormal || grazes) || !(abs(height.hi) < real(1.0)) ||
+      (step == RTG_POLISH && abs(at) * scale < real(0.01 * RTG_ROUNDOFF));
+    if (found)
+    {
+      // One Newton step, away from the silhouette.
+      b = dot(weights.hi * near.origin.hi, d);
+      depth = SweptDepth(near.origin, weights);
+      near = Advance(near, real(64.0) * a * abs(depth) < b * b ? depth / (real(2.0) * b) : real(0.0));
+    }
     step = !found ? RTG_SEARCH : settled ? RTG_DONE : RTG_POLISH;
     if (step == RTG_POLISH)
     {
-      // An error of the height moves the crossing by its square only, but the normal by itself: Newton's method.
-      real rate;
-      real bend;
-      gradient = Multiply(near.origin, weights);
-      MeetOneOfSweep(near.origin.hi, d, way, growth, weights.hi, side, rate, bend);
-      rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
-      at = bend > real(0.0) && abs(rate) < real(0.2) * bend / (real(1.0) + length(way)) ? rate / bend : real(0.0);
+      // Newton's method: MeetOneOfSweep() at a point of the ellipsoid, in double words where plain numbers cancel.
+      DoubleWord3 gradient = Multiply(near.origin, weights);
+      real3 motion = way + growth * gradient.hi;
+      real rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
+      real rise = SumOf(Multiply(gradient, near.direction)).hi;
+      real bend = real(2.0) * dot(weights.hi * motion, motion) - dot(weights.hi * d, motion) * rate / rise;
+      at = bend > real(0.0) && abs(rate) * scale < real(0.01) * bend ? rate / bend : real(0.0);
       --polishes;
     }
   }
-  // One Newton step, away from the silhouette.
-  real b = dot(weights.hi * near.origin.hi, d);
-  depth = SweptDepth(near.origin, weights);
-  near = Advance(near, real(64.0) * a * abs(depth) < b * b ? depth / (real(2.0) * b) : real(0.0));
-  t = near.start.hi;
-  gradient = Multiply(near.origin, weights);
+  point = SweptPoint(near.start.hi, height, near.origin, Multiply(near.origin, weights));
   return met;
 }
 
@@ -206,6 +253,84 @@ RTG_FN real3 SweptHalfSize(const Glyph glyph)
   return real3(real(0.5) * glyph.size.x, larger * glyph.size.y, larger * glyph.size.z);
 }
 
+// A sweep that begins with the unit ball round 0, as seen from a point: the least F, and by how much that is less than
+// the first.
+struct SweptDrop
+{
+  real least;
+  real drop;
+};
+
+RTG_FN SweptDrop DropAlong(const real3 p, const real3 way, const real3 growth)
+{
+  HeightSearch search = SearchFrom(real(0.0), real(0.0), real(1.0));
+  for (int i = 0; i < 80 && !search.done; ++i)
+  {
+    real3 squares = max(real3(1.0) + search.at * growth, real3(RTG_LEAST_SQUARE));
+    real3 gradient = (p - search.at * way) / squares;
+    real3 motion = way + growth * gradient;
+    search = NextHeight(search, -dot(way + motion, gradient), real(2.0) * dot(motion / squares, motion),
+      real(4.0 * RTG_ROUNDOFF) * search.at, real(RTG_NEVER));
+  }
+  real at = clamp(search.at, real(0.0), real(1.0));
+  real3 weights = real3(1.0) / max(real3(1.0) + at * growth, real3(RTG_LEAST_SQUARE));
+  real3 left = p - at * way;
+  return SweptDrop(dot(weights * left, left), at * dot(weights, p * (real(2.0) * way + growth * p) - at * way * way));
+}
+
+// Whether a point of the sweep's surface, or of its inside, lies in the next piece of the line at an end (side -1, 1).
+// `p`: in the frame of diagonal matrices, from the middle of the ellipsoid at that end.
+RTG_FN bool InNextSweep(const SweptRay swept, const Glyph glyph, const real side, const real3 p, const bool surface)
+{
+  int first = side < real(0.0) ? 0 : RTG_JOINT_VALUES;
+  real3 axis = real3(RTG_VALUE(glyph, first), RTG_VALUE(glyph, first + 1), RTG_VALUE(glyph, first + 2));
+  real3 way = real3(RTG_VALUE(glyph, first + 4), RTG_VALUE(glyph, first + 5), RTG_VALUE(glyph, first + 6));
+  real3 growth = real3(RTG_VALUE(glyph, first + 7), RTG_VALUE(glyph, first + 8), RTG_VALUE(glyph, first + 9));
+  real3 squares = max(real3(1.0) + side * swept.growth.hi, real3(RTG_LEAST_SQUARE));
+  real3 halves = sqrt(squares);
+  real3 q = p / halves;
+  bool inside = false;
+  if (dot(way, way) > real(0.0))
+  {
+    SweptDrop next = DropAlong(Rotate(-axis, RTG_VALUE(glyph, first + 3), q), way, growth);
+    inside = next.least < real(1.0);
+    // On the surface F is 1 less this piece's own drop: README.md, Swept ellipsoids.
+    if (surface && dot(q, q) < real(4.0))
+    {
+      real twice = real(-2.0) * side;
+      real own = DropAlong(q, twice * swept.way.hi / halves, twice * swept.growth.hi / squares).drop;
+      inside = next.drop > own || (side < real(0.0) && next.drop == own);
+    }
+  }
+  return inside;
+}
+
+// Whether a point of the surface lies inside the rest of the line.
+RTG_FN bool IsInner(const SweptRay swept, const Glyph glyph, const SweptPoint point)
+{
+  bool inner = false;
+  for (int side = -1; side <= 1 && !inner; side += 2)
+  {
+    real3 p = Add(point.fromMiddle, Multiply(swept.way, Word3(Add(point.height, real(-side))))).hi;
+    inner = InNextSweep(swept, glyph, real(side), p, true);
+  }
+  return inner;
+}
+
+// In the frame of diagonal matrices; false: the ray misses the glyph's box.
+RTG_FN bool ToSwept(const GlyphRay ray, const Glyph glyph, RTG_OUT(SweptRay) swept)
+{
+  bool near = ToLocal(ray, glyph, real3(real(0.0)), SweptHalfSize(glyph), swept.ray);
+  if (near)
+  {
+    swept.ray.origin = ToDiagonal(glyph, swept.ray.origin);
+    swept.ray.direction = ToDiagonal(glyph, swept.ray.direction);
+    swept.way = ToDiagonal(glyph, Word3(real3(real(0.5) * glyph.after.w, real(0.0), real(0.0))));
+    swept.growth = TwoSum(glyph.exponents, real3(-1.0));
+  }
+  return near;
+}
+
 RTG_FN bool IntersectSweptEllipsoid(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
 {
@@ -213,25 +338,39 @@ RTG_FN bool IntersectSweptEllipsoid(const GlyphRay ray, const Glyph glyph, const
   t = tMin;
   normal = -ray.direction;
   SweptRay swept;
-  if (ToLocal(ray, glyph, real3(real(0.0)), SweptHalfSize(glyph), swept.ray))
+  if (ToSwept(ray, glyph, swept))
   {
-    swept.ray.origin = ToDiagonal(glyph, swept.ray.origin);
-    swept.ray.direction = ToDiagonal(glyph, swept.ray.direction);
-    swept.way = ToDiagonal(glyph, Word3(real3(real(0.5) * glyph.after.w, real(0.0), real(0.0))));
-    swept.growth = TwoSum(glyph.exponents, real3(-1.0));
     bool met = true;
     for (int side = RTG_ENTRY; side <= RTG_EXIT && met && !found; side += RTG_EXIT - RTG_ENTRY)
     {
-      DoubleWord3 gradient;
-      met = MeetSweep(swept, real(side), wantsNormal, t, gradient);
-      found = met && t >= tMin && t <= tMax;
+      SweptPoint point;
+      met = MeetSweep(swept, real(side), wantsNormal, point);
+      found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
+      t = point.t;
       if (found && wantsNormal)
       {
-        normal = SweptNormal(glyph, gradient);
+        normal = SweptNormal(glyph, point.gradient);
       }
     }
   }
   return found;
+}
+
+// Whether the ray's point at t is inside the sweep, and of joined pieces that share it in the first.
+RTG_FN bool IsInSweep(const GlyphRay ray, const Glyph glyph, const real t)
+{
+  SweptRay swept;
+  bool inside = false;
+  if (ToSwept(ray, glyph, swept))
+  {
+    real3 p = PointAt(swept.ray, Add(Word(t), Minus(swept.ray.start)));
+    real3 squares = max(real3(1.0) - swept.growth.hi, real3(RTG_LEAST_SQUARE));
+    real3 halves = sqrt(squares);
+    p += swept.way.hi;
+    SweptDrop own = DropAlong(p / halves, real(2.0) * swept.way.hi / halves, real(2.0) * swept.growth.hi / squares);
+    inside = own.least <= real(1.0) && !(glyph.joined && InNextSweep(swept, glyph, real(-1.0), p, false));
+  }
+  return inside;
 }
 
 RTG_FN Enclosure SweptEllipsoidEnclosure(const Glyph glyph)
@@ -241,23 +380,115 @@ RTG_FN Enclosure SweptEllipsoidEnclosure(const Glyph glyph)
   return outer;
 }
 
-// The farthest in a direction of the world: of all heights a the largest half-way a + sqrt(A + a B).
+// The largest of height * way + sqrt(square + height * growth), which is concave.
+RTG_FN real SweptSupport(const real way, const real square, const real growth)
+{
+  real root = real(-0.5) * growth / way;
+  real at = root > real(0.0) ? clamp((root * root - square) / growth, real(-1.0), real(1.0)) : real(1.0);
+  real between = at * way + sqrt(max(square + at * growth, real(0.0)));
+  real first = sqrt(max(square - growth, real(0.0))) - way;
+  real last = sqrt(max(square + growth, real(0.0))) + way;
+  return max(between, max(first, last));
+}
+
+// The farthest in a direction of the world.
 RTG_FN real SweptReach(const Glyph glyph, const real3 direction)
 {
   real3 n = RotateToLocal(glyph, direction);
   real3 v = real3(glyph.after.z * n.x, glyph.after.x * n.x + real(0.5) * glyph.size.y * n.y,
     glyph.after.y * n.x + real(0.5) * glyph.size.z * n.z);
-  real3 q = real3(glyph.before.x, glyph.before.y, glyph.before.z);
-  v = Rotate(-q, glyph.before.w, v);
-  real way = real(0.5) * glyph.after.w * n.x;
-  real squared = dot(v, v);
-  real growth = dot((glyph.exponents - real3(1.0)) * v, v);
-  real root = real(-0.5) * growth / way;
-  real at = root > real(0.0) ? clamp((root * root - squared) / growth, real(-1.0), real(1.0)) : real(1.0);
-  real between = at * way + sqrt(max(squared + at * growth, real(0.0)));
-  real first = sqrt(max(squared - growth, real(0.0))) - way;
-  real last = sqrt(max(squared + growth, real(0.0))) + way;
-  return max(between, max(first, last));
+  v = Rotate(-real3(glyph.before.x, glyph.before.y, glyph.before.z), glyph.before.w, v);
+  return SweptSupport(real(0.5) * glyph.after.w * n.x, dot(v, v), dot((glyph.exponents - real3(1.0)) * v, v));
+}
+
+// A vector of the glyph's frame in that of diagonal matrices, in plain numbers.
+RTG_FN real3 ToDiagonal(const Glyph glyph, const real3 p)
+{
+  real y = real(2.0) * p.y / glyph.size.y;
+  real z = real(2.0) * p.z / glyph.size.z;
+  real x = (p.x - (y * glyph.after.x + z * glyph.after.y)) / glyph.after.z;
+  return Rotate(-real3(glyph.before.x, glyph.before.y, glyph.before.z), glyph.before.w, real3(x, y, z));
+}
+
+// What plain float proves of a candidate that its enclosure leaves open: README.md, Swept ellipsoids. Where inner
+// crossings are none it proves misses only.
+RTG_FN int EstimateSweptEllipsoid(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) low, RTG_OUT(real) high)
+{
+  low = tMin;
+  high = tMax;
+  real3 v = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
+  real nearest = -dot(v, ray.direction) / dot(ray.direction, ray.direction);
+  real3 o = ToDiagonal(glyph, RotateToLocal(glyph, v + nearest * ray.direction));
+  real3 d = ToDiagonal(glyph, RotateToLocal(glyph, ray.direction));
+  real3 way = ToDiagonal(glyph, real3(real(0.5) * glyph.after.w, real(0.0), real(0.0)));
+  real3 growth = glyph.exponents - real3(1.0);
+  real3 rows = real3(
+    (real(1.0) + real(2.0) * (abs(glyph.after.x) / glyph.size.y + abs(glyph.after.y) / glyph.size.z)) / glyph.after.z,
+    real(2.0) / glyph.size.y, real(2.0) / glyph.size.z);
+  real away = abs(v.x) + abs(v.y) + abs(v.z) + real(6.0) * (glyph.size.x + glyph.size.y + glyph.size.z);
+  real diagonalMoved = real(16.0 * RTG_ROUNDOFF) * (rows.x + rows.y + rows.z) * away;
+
+  int verdict = RTG_UNKNOWN;
+  bool outside = true; // the ray surely starts there
+  bool going = true;
+  // Where it enters; and where it leaves, if it may start inside.
+  for (int turn = 0; turn < 2 && going; ++turn)
+  {
+    real side = turn == 0 ? real(RTG_ENTRY) : real(RTG_EXIT);
+    real at = HeightOfCrossing(o, d, way, growth, real(0.0), side);
+    // The ray in the frame where the ellipsoid of that height is the unit ball.
+    real3 scale = inversesqrt(max(real3(1.0) + at * growth, real3(RTG_LEAST_SQUARE)));
+    real largest = max(scale.x, max(scale.y, scale.z));
+    real moved = largest * (diagonalMoved + real(4.0 * RTG_ROUNDOFF) * largest);
+    real tolerance = real(4.0) * (real(1.0) + moved) * moved;
+    real3 m = scale * (o - at * way);
+    real3 e = scale * d;
+    real ee = dot(e, e);
+    real toNearest = -dot(m, e) / ee;
+    real3 q = m + toNearest * e;
+    real depth = real(1.0) - dot(q, q);
+    going = tolerance > real(1.0e-30) && tolerance < real(1.0e30) && depth > real(4.0) * tolerance;
+    real halfChord = sqrt(max(depth, real(4.0) * tolerance));
+    real perUnit = inversesqrt(ee);
+    real toSurface = -side * perUnit * halfChord;
+    // The plane that touches the ball where the ray meets it, or is nearest to it, and how far the sweep reaches
+    // beyond.
+    real3 n = going ? q - toSurface * e : q;
+    real3 r = scale * n;
+    real along = dot(way, r);
+    real beyond = SweptSupport(along, dot(r, r), dot(growth * r, r)) - at * along;
+    real rounding = real(16.0 * RTG_ROUNDOFF) * (real(1.0) + abs(along) + dot(r, r));
+    if (going)
+    {
+      real excess = max(beyond - dot(n, n), real(0.0)) + rounding;
+      real uncertain = real(2.0) * (moved + tolerance / halfChord);
+      real crossing = nearest + (toNearest - toSurface);
+      real inner = crossing - side * perUnit * uncertain;
+      real outer = crossing + side * perUnit * (uncertain + excess / halfChord);
+      if (turn == 0)
+      {
+        outside = outer >= tMin;
+        low = max(outer, tMin);
+        going = !outside;
+        if (outside && inner <= tMax && !glyph.joined)
+        {
+          verdict = RTG_MET;
+          high = inner;
+        }
+      }
+      if (low > tMax || (turn == 1 && outer < tMin))
+      {
+        verdict = RTG_MISSED;
+        going = false;
+      }
+    }
+    else if (dot(q, q) > beyond + tolerance * (real(1.0) + beyond) + rounding)
+    {
+      verdict = RTG_MISSED; // it passes by behind a plane along it
+    }
+  }
+  return verdict;
 }
 
 RTG_FN void SweptEllipsoidBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

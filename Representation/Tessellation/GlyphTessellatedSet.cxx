@@ -208,6 +208,19 @@ public:
     }
   }
 
+  // A mesh for each. False: they would be too many.
+  bool AddSweeps()
+  {
+    const bool few = this->All.Count() <= rtglyphs::GlyphTessellatedSet::MostMeshes;
+    for (std::size_t glyph = 0; few && glyph < this->All.Count(); ++glyph)
+    {
+      const std::size_t part =
+        this->AddMesh("Sweep_" + std::to_string(glyph), rtglyphs::GlyphTessellation::SweptEllipsoid(this->All, glyph));
+      this->Add(part, glyph, glm::vec3(1.0f));
+    }
+    return few;
+  }
+
   // A mesh for each triple of exponents. False: they would be too many.
   bool AddSuperquadrics()
   {
@@ -282,7 +295,8 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
   set.Roughness = material.roughness;
   set.Color = Linear(material.color, material.opacity);
   const bool bySign = !instances.forms.empty();
-  const bool ofEnds = instances.shape == rtg::Shape::RoundCone && !colors.ends.empty();
+  const bool swept = instances.shape == rtg::Shape::SweptEllipsoid;
+  const bool ofEnds = (swept || instances.shape == rtg::Shape::RoundCone) && !colors.ends.empty();
   bool bothSigns = false;
   if (bySign || !instances.opacities.empty() || !colors.Empty())
   {
@@ -349,11 +363,19 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
     case rtg::Shape::RoundCone:
       assembly.AddTubes();
       break;
+    case rtg::Shape::SweptEllipsoid:
+      if (!assembly.AddSweeps())
+      {
+        messages.push_back(std::to_string(instances.Count()) +
+          " pieces of tubes of covariances are left out of the "
+          "exported file, which has a mesh for each of at most " +
+          std::to_string(MostMeshes) + ". Show fewer lines, for example with Threshold, or another TubeRadiusArray.");
+      }
+      break;
     default:
       messages.push_back(
-        "Glyphs of the shapes Spherical Harmonics, Normal Stress and Fourth-Order Tensor and tubes of covariances are "
-        "left out of the exported file, because they have no triangles. Choose another GlyphShape or TubeRadiusArray, "
-        "or save a screenshot.");
+        "Glyphs of the shapes Spherical Harmonics, Normal Stress and Fourth-Order Tensor are left out of the exported "
+        "file, because they have no triangles. Choose another GlyphShape, or save a screenshot.");
   }
   const auto empty = [](const rtglyphs::GlyphTessellatedPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());

@@ -2,6 +2,8 @@
 
 #include "Finite.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -293,5 +295,30 @@ rtg::TriangleMesh rtglyphs::GlyphTessellation::NestedSuperquadric(const glm::vec
         return Unit(at(1.0) - at(-1.0));
       };
       return Corner{ place(round, polar), glm::cross(tangent(0.0, step), tangent(step, 0.0)) };
+    });
+}
+
+//----------------------------------------------------------------------------
+// The farthest point in each direction r, in the frame where matrices are 1 + height * growth.
+rtg::TriangleMesh rtglyphs::GlyphTessellation::SweptEllipsoid(const rtg::GlyphInstances& instances, std::size_t glyph)
+{
+  constexpr int facets = 17; // odd: none of the directions is across the way
+  const glm::dvec3 size(instances.sizes3[glyph]), growth = glm::dvec3(instances.exponents3[glyph]) - 1.0;
+  const glm::dvec4 after(instances.after[glyph]), before(instances.before[glyph]);
+  const glm::dmat3 frame = glm::dmat3(after.z, 0, 0, after.x, 0.5 * size.y, 0, after.y, 0, 0.5 * size.z) *
+    glm::mat3_cast(glm::normalize(glm::dquat(before.w, before.x, before.y, before.z)));
+  const glm::dvec3 way = glm::inverse(frame) * glm::dvec3(0.5 * after.w, 0.0, 0.0);
+  const glm::dvec3 axis = Unit(way);
+  const glm::dquat turn = axis.z > -1.0 + 1e-12 ? glm::normalize(glm::dquat(1.0 + axis.z, -axis.y, axis.x, 0.0))
+                                                : glm::dquat(0.0, 1.0, 0.0, 0.0);
+  return ClosedSurface(facets,
+    [&](const glm::dvec2& round, const glm::dvec2& polar)
+    {
+      const glm::dvec3 r = turn * glm::dvec3(round.x * polar.y, round.y * polar.y, polar.x);
+      const double along = glm::dot(way, r), grows = glm::dot(growth * r, r), root = -0.5 * grows / along;
+      const double height = root > 0.0 ? std::clamp((root * root - 1.0) / grows, -1.0, 1.0) : std::copysign(1.0, along);
+      const glm::dvec3 squares = glm::max(1.0 + height * growth, 0.0);
+      const glm::dvec3 point = height * way + squares * r / std::sqrt(glm::dot(squares * r, r));
+      return Corner{ 2.0 * (frame * point), glm::transpose(glm::inverse(frame)) * r };
     });
 }

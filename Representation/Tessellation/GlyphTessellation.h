@@ -34,6 +34,9 @@ rtg::TriangleMesh ArrowHead(const rtg::ArrowForm& form);
 rtg::TriangleMesh Superquadric(const glm::vec3& exponents, int facets);
 rtg::TriangleMesh NestedSuperquadric(const glm::vec3& exponents, int facets);
 ///@}
+
+/// Kernels/Shapes/SweptEllipsoid.glsl of one of the glyphs, in its frame and size.
+rtg::TriangleMesh SweptEllipsoid(const rtg::GlyphInstances& instances, std::size_t glyph);
 }
 
 #endif

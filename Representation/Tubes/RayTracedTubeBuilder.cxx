@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace
 {
@@ -324,6 +325,8 @@ private:
     all.before.resize(ends ? count : 0);
     all.after.resize(ends ? count : 0);
     all.exponents3.resize(swept ? count : 0);
+    all.polynomials.width = swept && this->How.Joined ? rtg::valuesOfNextSweeps : 0;
+    all.polynomials.values.resize(count * all.polynomials.width);
     this->Out.Cells.resize(count);
     this->Out.Ends.resize(count);
     rtg::GlyphMotion ofPoints;
@@ -379,10 +382,14 @@ private:
   void PlaceSweep(vtkIdType i)
   {
     const Piece& piece = this->Pieces[i];
-    const auto end = [&](vtkIdType point) {
-      return rtg::SweepEnd{ this->Places[point], this->Ellipsoids[this->RadiiOfCells ? piece.Cell : point].first };
+    const auto end = [&](vtkIdType point)
+    {
+      return point < 0
+        ? std::optional<rtg::SweepEnd>()
+        : rtg::SweepEnd{ this->Places[point], this->Ellipsoids[this->RadiiOfCells ? piece.Cell : point].first };
     };
-    rtg::StoreSweep(end(piece.Ends[0]), end(piece.Ends[1]), i, this->Out.Instances);
+    rtg::StoreSweep(
+      *end(piece.Ends[0]), *end(piece.Ends[1]), i, this->Out.Instances, end(piece.Beyond[0]), end(piece.Beyond[1]));
     this->Out.Cells[i] = piece.Cell;
     this->Out.Ends[i] = piece.Ends;
   }

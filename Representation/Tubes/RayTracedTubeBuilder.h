@@ -39,7 +39,7 @@ public:
     // Of points, or else of cells, times Radius; covariances times its square; empty or "None": none.
     std::string RadiusArray;
     bool FlatEnds = false;
-    bool Joined = false; // no surface is left inside a line of round pieces, as translucent ones show
+    bool Joined = false; // no surface is left inside a line, as translucent ones show
     GlyphMotion::Settings Motion;
 
     bool operator==(const Settings&) const = default;

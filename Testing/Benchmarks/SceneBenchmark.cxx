@@ -13,6 +13,7 @@
 #endif
 #include "Measures.h"
 #include "Scene.h"
+#include "SweptEllipsoid.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
@@ -98,8 +99,30 @@ void AddLine(rtg::GlyphInstances& instances, const std::vector<glm::vec3>& place
   }
 }
 
-/// Curves of round cones at random places, each a helix.
-rtg::GlyphInstances Tubes()
+/// Adds the same line as tubes of covariances, not quite round.
+void AddSweeps(rtg::GlyphInstances& instances, const std::vector<glm::vec3>& places, double radius)
+{
+  instances.shape = rtg::Shape::SweptEllipsoid;
+  const auto end = [&](std::size_t k)
+  {
+    const double square = radius * radius;
+    return rtg::SweepEnd{ glm::dvec3(places[k]), { square, (0.8 + 0.2 * double(k % 2)) * square, 0.6 * square } };
+  };
+  for (std::size_t k = 0; k + 1 < places.size(); ++k)
+  {
+    const std::size_t index = instances.Count();
+    instances.centers.emplace_back();
+    instances.sizes3.emplace_back();
+    instances.rotations.emplace_back();
+    instances.before.emplace_back();
+    instances.after.emplace_back();
+    instances.exponents3.emplace_back();
+    rtg::StoreSweep(end(k), end(k + 1), index, instances);
+  }
+}
+
+/// Curves at random places, each a helix, of round cones or swept ellipsoids.
+rtg::GlyphInstances Tubes(bool swept)
 {
   const rtg::GlyphInstances starts = benchmark::MakeInstances({ "", rtg::Shape::Sphere, true }, curves);
   rtg::GlyphInstances instances;
@@ -111,8 +134,15 @@ rtg::GlyphInstances Tubes()
       const float angle = 0.05f * k;
       places.push_back(start + 5.0f * glm::vec3(std::cos(angle), std::sin(angle), 0.2f * angle));
     }
-    AddLine(
-      instances, places, [](int) { return 0.6f; }, true);
+    if (swept)
+    {
+      AddSweeps(instances, places, 0.3);
+    }
+    else
+    {
+      AddLine(
+        instances, places, [](int) { return 0.6f; }, true);
+    }
   }
   return instances;
 }
@@ -382,7 +412,8 @@ try
   addCuts("ellipsoids", crowd({ "", rtg::Shape::Sphere, true }).instances);
   addCuts("arrows", crowd(arrows).instances);
   addCuts("superquadrics", crowd(random).instances);
-  addCuts("tubes", Tubes());
+  addCuts("tubes", Tubes(false));
+  addCuts("tubes of covariances", Tubes(true));
   add("balls", { { Spheres(balls, 1.0f) } });
   add("balls, opacity 0.3", { { Spheres(balls, 1.0f), 0.3f } });
   add("balls, opacity 0.3, surface", { { Spheres(balls, 1.0f), 0.3f }, { Sheet() } });

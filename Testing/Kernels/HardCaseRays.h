@@ -238,6 +238,7 @@ inline std::vector<Subject> HardSubjects()
     { "cone", Shape::Cone, {}, false },
     { "capsule", Shape::Capsule, {}, false },
     { "round cone", Shape::RoundCone, {}, false },
+    { "swept ellipsoid", Shape::SweptEllipsoid, {}, false },
     { "arrow", Shape::Arrow, {}, false },
     { "arrow, sharp", Shape::Arrow, arrow(0.03f, 0.1f, 0.35f, 0, true), false },
     { "arrow, fully rounded", Shape::Arrow, arrow(0.03f, 0.1f, 0.35f, 1, true), false },

@@ -6,6 +6,7 @@
 #include "Glyphs.h"
 #include "HarmonicForms.h"
 #include "Shapes/Shapes.h"
+#include "SweptEllipsoid.h"
 #include "Tensor.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
   glyph.sameSize = instances.sizes3.empty();
+  glyph.joined = instances.shape == Shape::SweptEllipsoid && !instances.polynomials.empty();
   const ArrowForm& form = instances.arrow;
   glyph.arrow = glm::vec4(form.shaftRadius, form.tipRadius, form.tipLength, form.tipRounding);
   glyph.fixedHeads = form.fixedHeads;
@@ -282,6 +284,40 @@ private:
     return form;
   }
 
+  /// Of half-axes between those of `least` and `most`, diagonal or rotated.
+  SymmetricTensor Covariance(const Vec& least, const Vec& most, const glm::dmat3& axes)
+  {
+    glm::dmat3 squares(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double half = this->Uniform(least[axis], most[axis]);
+      squares[axis][axis] = half * half;
+    }
+    return SymmetricTensor::Of(axes * squares * glm::transpose(axes));
+  }
+
+  /// Stores a sweep next to a center. Thin ones are needles of up to 1 : 30, or flat: in one plane, or not.
+  void StoreSweep(GlyphInstances& instances, std::size_t index, double size, double ratio, bool turned)
+  {
+    const auto axes = [&]
+    {
+      const glm::vec4 q = turned ? this->Rotation() : glm::vec4(0, 0, 0, 1);
+      return glm::mat3_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
+    };
+    const bool thin = ratio > 1, needle = thin && this->Choice(2) == 0;
+    ratio = std::min(ratio, 30.0);
+    Vec least(needle ? 0.3 * size / ratio : 0.1 * size), most(needle ? size / ratio : 0.3 * size);
+    if (thin && !needle)
+    {
+      least.z = most.z = size / ratio;
+    }
+    const glm::dmat3 first = axes(), last = this->Choice(2) == 0 ? first : axes();
+    const Vec center(instances.centers[index]),
+      way = (turned ? this->UnitVector() : Vec(1, 0, 0)) * size * this->Uniform(0.15, 0.3);
+    rtg::StoreSweep({ center - way, this->Covariance(least, most, first) },
+      { center + way, this->Covariance(least, most, last) }, index, instances);
+  }
+
   bool IsFixedArrow() const { return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads; }
 
   /// The unit form's box: (0 .. 1) along x for arrows, else centerd.
@@ -346,6 +382,17 @@ HardCaseMaker::Start(const std::string& situation, double size, double ratio, do
     if (this->subject_.sameSize)
     {
       instances.sizes1.push_back(float(size));
+      continue;
+    }
+    if (instances.shape == Shape::SweptEllipsoid)
+    {
+      const std::size_t count = instances.centers.size();
+      instances.sizes3.resize(count);
+      instances.rotations.resize(count);
+      instances.exponents3.resize(count);
+      instances.before.resize(count);
+      instances.after.resize(count);
+      this->StoreSweep(instances, count - 1, size, ratio, turned);
       continue;
     }
     Vec sizes = size * Vec(this->Uniform(0.3, 1), this->Uniform(0.3, 1), this->Uniform(0.3, 1));

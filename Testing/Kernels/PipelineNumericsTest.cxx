@@ -36,6 +36,8 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
   keep(one.sizes3);
   keep(one.rotations);
   keep(one.exponents3);
+  keep(one.before);
+  keep(one.after);
   if (!all.polynomials.empty())
   {
     one.polynomials.values.assign(all.polynomials[index], all.polynomials[index] + all.polynomials.width);

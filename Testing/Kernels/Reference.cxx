@@ -59,27 +59,12 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
   const glm::vec3 size = instances.SizeOf(index);
   const glm::vec4 q = instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
 
-  // The rotation matrix of q / |q| (Shoemake 1985), columns are the unit form's axes in the world.
-  const Quad x = q.x, y = q.y, z = q.z, w = q.w;
-  const Quad n = x * x + y * y + z * z + w * w;
-  const Quad rows[3][3] = {
-    { w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y) },
-    { 2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x) },
-    { 2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z },
-  };
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      this->rotation_[i][j] = rows[i][j] / n;
-    }
-  }
-
+  MakeRotation(q, this->rotation_);
   this->scale_ = ToQuad(glm::dvec3(size));
   this->size_ = std::max({ size.x, size.y, size.z });
   this->exponents_ =
     ToQuad(glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
-  if (!instances.polynomials.empty())
+  if (this->IsPolynomial())
   {
     const float* values = instances.polynomials[index];
     this->polynomial_.assign(values + 3, values + instances.polynomials.width);
@@ -105,6 +90,14 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
     case Shape::RoundCone:
       this->MakeRoundCone(size);
       break;
+    case Shape::SweptEllipsoid:
+      MakeRotation(instances.before[index], this->diagonal_);
+      this->shear_ = ToQuad(glm::dvec3(instances.after[index]));
+      this->halfWay_ = half * instances.after[index].w;
+      this->half_ = { 0, half * size.y, half * size.z };
+      this->exponents_ = { this->exponents_.x - 1, this->exponents_.y - 1, this->exponents_.z - 1 };
+      this->scale_ = { 1, 1, 1 };
+      break;
     case Shape::Cylinder:
       this->profile_ = { { -half, 0 }, { -half, half }, { half, half }, { half, 0 } };
       break;
@@ -118,6 +111,25 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
       break;
     default:
       break;
+  }
+}
+
+// That of q / |q| (Shoemake 1985); columns are the turned frame's axes.
+void ReferenceGlyph::MakeRotation(const glm::vec4& q, Rotation& rotation)
+{
+  const Quad x = q.x, y = q.y, z = q.z, w = q.w;
+  const Quad n = x * x + y * y + z * z + w * w;
+  const Quad rows[3][3] = {
+    { w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y) },
+    { 2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x) },
+    { 2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z },
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      rotation[i][j] = rows[i][j] / n;
+    }
   }
 }
 
@@ -202,9 +214,8 @@ void ReferenceGlyph::MakeArrow(Quad factor)
   this->size_ = double(std::max(length, across));
 }
 
-QuadVector ReferenceGlyph::Turned(const QuadVector& v, bool toWorld) const
+QuadVector ReferenceGlyph::Turned(const Rotation& r, const QuadVector& v, bool toWorld)
 {
-  const auto& r = this->rotation_;
   if (toWorld)
   {
     return { r[0][0] * v.x + r[0][1] * v.y + r[0][2] * v.z, r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z,
@@ -219,8 +230,9 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
 {
   const QuadVector o = ToQuad(origin);
   const QuadVector d = ToQuad(glm::dvec3(direction));
-  const QuadVector lo = this->Turned({ o.x - this->center_.x, o.y - this->center_.y, o.z - this->center_.z }, false);
-  const QuadVector ld = this->Turned(d, false);
+  const QuadVector lo =
+    Turned(this->rotation_, { o.x - this->center_.x, o.y - this->center_.y, o.z - this->center_.z }, false);
+  const QuadVector ld = Turned(this->rotation_, d, false);
   Quad scale = factor;
   if (this->shape_ == Shape::Arrow)
   {
@@ -243,6 +255,11 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
   else if (this->shape_ == Shape::Superquadric)
   {
     this->MeetSuperquadric(ray, found);
+  }
+  else if (this->shape_ == Shape::SweptEllipsoid)
+  {
+    this->MeetSweep(ray, -1, found);
+    this->MeetSweep(ray, 1, found);
   }
   else if (this->shape_ == Shape::NestedSuperquadric)
   {
@@ -322,7 +339,7 @@ void ReferenceGlyph::Add(
     std::swap(normal.x, normal.y);
   }
   normal = { normal.x / this->scale_.x, normal.y / this->scale_.y, normal.z / this->scale_.z };
-  normal = this->Turned(normal, true);
+  normal = Turned(this->rotation_, normal, true);
   const Quad length = sqrtq(Dot(normal, normal));
   const Quad least = std::min({ this->scale_.x, this->scale_.y, this->scale_.z }) / this->size_;
   crossings.push_back(
@@ -349,6 +366,54 @@ void ReferenceGlyph::MeetRectangles(const UnitRay& ray, std::vector<ReferenceCro
         this->Add(t, { normal[0], normal[1], normal[2] }, std::min(inU, inV), crossings);
       }
     }
+  }
+}
+
+void ReferenceGlyph::MeetSweep(const UnitRay& ray, int side, std::vector<ReferenceCrossing>& crossings) const
+{
+  const auto toDiagonal = [this](const QuadVector& p)
+  {
+    const Quad y = p.y / this->half_.y, z = p.z / this->half_.z;
+    const Quad x = (p.x - y * this->shear_.x - z * this->shear_.y) / this->shear_.z;
+    return Turned(this->diagonal_, { x, y, z }, false);
+  };
+  const QuadVector o = toDiagonal(ray.origin), d = toDiagonal(ray.direction),
+                   way = toDiagonal({ this->halfWay_, 0, 0 });
+  const QuadVector& growth = this->exponents_;
+  const auto scaled = [](const QuadVector& a, const QuadVector& b) {
+    return QuadVector{ a.x * b.x, a.y * b.y, a.z * b.z };
+  };
+  Quad low = -1, high = 1, s = 0;
+  QuadVector gradient;
+  bool met = false;
+  for (int step = 0; step < 120; ++step)
+  {
+    // The ends, too
+    const Quad height = step == 0 ? low : step == 1 ? high : (low + high) / 2;
+    const auto weight = [&](Quad grown) { return 1 / std::max(1 + height * grown, Quad(1e-9f)); };
+    const QuadVector weights{ weight(growth.x), weight(growth.y), weight(growth.z) };
+    const QuadVector p = At(o, way, -height);
+    const Quad a = Dot(scaled(weights, d), d), b = Dot(scaled(weights, p), d);
+    const Quad discriminant = b * b - a * (Dot(scaled(weights, p), p) - 1);
+    met = discriminant >= 0;
+    s = (side * sqrtq(std::max(discriminant, Quad(0))) - b) / a;
+    gradient = scaled(weights, At(p, d, s));
+    const Quad rate = -2 * Dot(way, gradient) - Dot(scaled(growth, gradient), gradient);
+    if (step == 0 ? rate >= 0 : step == 1 && rate <= 0)
+    {
+      break;
+    }
+    if (step > 1)
+    {
+      (rate < 0 ? low : high) = height;
+    }
+  }
+  if (met)
+  {
+    const QuadVector v = Turned(this->diagonal_, gradient, true);
+    const Quad x = v.x / this->shear_.z;
+    this->Add(
+      s, { x, (v.y - x * this->shear_.x) / this->half_.y, (v.z - x * this->shear_.y) / this->half_.z }, 1, crossings);
   }
 }
 

@@ -40,6 +40,7 @@ public:
   /// The largest full extent of the glyph along its own axes, in world units; an arrow's length counts whole.
   double Size() const { return this->size_; }
   bool IsPolynomial() const { return this->shape_ == Shape::Polynomial; }
+  bool IsSweep() const { return this->shape_ == Shape::SweptEllipsoid; }
 
   /// All crossings of the whole line, in order; those that coincide are one.
   /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
@@ -63,12 +64,17 @@ private:
     Quad center, radius, from, to;
   };
 
-  QuadVector Turned(const QuadVector& v, bool toWorld) const;
+  using Rotation = Quad[3][3];
+  static void MakeRotation(const glm::vec4& quaternion, Rotation& rotation);
+  static QuadVector Turned(const Rotation& rotation, const QuadVector& v, bool toWorld);
   void MakeArrow(Quad factor);
   void MakeRoundCone(const glm::vec3& size);
   void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance, std::vector<ReferenceCrossing>& crossings) const;
   /// Superquadrics: SuperquadricReference.cxx.
   void MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
+  /// By bisection of the height: Shapes/README.md, Swept ellipsoids. `side`: -1 where the line enters, 1 where it
+  /// leaves.
+  void MeetSweep(const UnitRay& ray, int side, std::vector<ReferenceCrossing>& crossings) const;
   void MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
   void MeetBall(const UnitRay& ray, const Ball& ball, std::vector<ReferenceCrossing>& crossings) const;
   void MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b, std::vector<ReferenceCrossing>& crossings) const;
@@ -83,7 +89,10 @@ private:
   std::vector<Quad> polynomial_;
   int degree_ = 0;       ///< of the polynomial
   Quad arrowLength_ = 0; ///< in world units
-  Quad rotation_[3][3];
+  Rotation rotation_;
+  Rotation diagonal_;       ///< of a swept ellipsoid, whose matrices are diagonal in that frame
+  QuadVector shear_, half_; ///< from that of the unit ball half-way
+  Quad halfWay_ = 0;
   /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.
   std::vector<ProfilePoint> profile_;
   bool smoothStart_ = false, smoothEnd_ = false; ///< the first, the last segment runs tangentially into a ball

@@ -172,6 +172,8 @@ protected:
     keep(one.sizes3);
     keep(one.rotations);
     keep(one.exponents3);
+    keep(one.before);
+    keep(one.after);
     if (!instances.polynomials.empty())
     {
       const float* values = instances.polynomials[i];

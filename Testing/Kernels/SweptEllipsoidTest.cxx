@@ -1,22 +1,21 @@
-// Swept ellipsoids against a search in extended precision, and what makes them of two ellipsoids.
+// Swept ellipsoids of lines beside the hard cases, and what makes them of two ellipsoids.
 #include "SweptEllipsoid.h"
 
 #include "Glyphs.h"
-#include "HardCases.h"
+#include "Measure.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace
 {
 
 using rtg::testing::KernelGlyph;
-using Long = long double;
-using Vector = glm::vec<3, Long>;
-using Matrix = glm::mat<3, 3, Long>;
 
 struct Situation
 {
@@ -103,131 +102,39 @@ private:
   std::mt19937_64 engine_{ 5 };
 };
 
-/// By golden sections over the heights, and a bisection of how the crossing changes with the height.
-class Reference
+/// The matrices of a stored sweep.
+class Sweep
 {
 public:
-  explicit Reference(const rtg::GlyphInstances& glyphs)
-    : center_(glyphs.centers[0])
+  explicit Sweep(const rtg::GlyphInstances& glyphs)
+    : growth_(glm::dvec3(glyphs.exponents3[0]) - 1.0)
   {
-    const glm::vec4 after = glyphs.after[0];
-    const Vector size(glyphs.sizes3[0]);
-    const Matrix turn = Rotation(glyphs.rotations[0]);
-    this->frame_ =
-      turn * Matrix(after.z, 0, 0, after.x, size.y / 2, 0, after.y, 0, size.z / 2) * Rotation(glyphs.before[0]);
-    this->back_ = glm::inverse(this->frame_);
-    this->growth_ = Vector(glyphs.exponents3[0]) - Vector(1);
-    this->way_ = this->back_ * (turn * Vector(Long(after.w) / 2, 0, 0));
+    const glm::dvec4 after(glyphs.after[0]);
+    const glm::dvec3 size(glyphs.sizes3[0]);
+    this->frame_ = Rotation(glyphs.rotations[0]) *
+      glm::dmat3(after.z, 0, 0, after.x, size.y / 2, 0, after.y, 0, size.z / 2) * Rotation(glyphs.before[0]);
   }
 
-  Matrix MatrixAt(Long height) const
+  glm::dmat3 MatrixAt(double height) const
   {
-    const Vector squares = this->Squares(height);
-    return this->frame_ * Matrix(squares.x, 0, 0, 0, squares.y, 0, 0, 0, squares.z) * glm::transpose(this->frame_);
+    const glm::dvec3 squares = 1.0 + height * this->growth_;
+    return this->frame_ * glm::dmat3(squares.x, 0, 0, 0, squares.y, 0, 0, 0, squares.z) * glm::transpose(this->frame_);
   }
 
-  /// The image of a point of the unit ball.
-  glm::dvec3 Point(Long height, const glm::dvec3& v) const
+  /// Of the ellipsoid at that height, from its middle: the image of a point of the unit ball.
+  glm::dvec3 Point(double height, const glm::dvec3& v) const
   {
-    return glm::dvec3(
-      this->center_ + this->frame_ * (height * this->way_ + glm::sqrt(this->Squares(height)) * Vector(v)));
-  }
-
-  /// Whether the line enters, how deep it goes (0: it touches, 1: through the middle), where, and the normal there.
-  bool Enter(const Vector& origin, const Vector& direction, Long& depth, Long& s, Vector& normal)
-  {
-    this->o_ = this->back_ * (origin - this->center_);
-    this->d_ = this->back_ * direction;
-    const Long deepest = this->Least(-1, 1, [&](Long height) { return this->At(height).excess; });
-    depth = -this->At(deepest).excess;
-    if (!(depth > 0))
-    {
-      return false;
-    }
-    const Long low = this->Edge(deepest, -1), high = this->Edge(deepest, 1);
-    Long height = this->Least(low, high, [&](Long at) { return this->At(at).s; });
-    Long below = std::max(low, height - Long(1e-6) * (high - low)),
-         above = std::min(high, height + Long(1e-6) * (high - low));
-    if (this->Rate(below) < 0 && this->Rate(above) > 0)
-    {
-      for (int i = 0; i < 60; ++i)
-      {
-        height = (below + above) / 2;
-        (this->Rate(height) < 0 ? below : above) = height;
-      }
-    }
-    const Met met = this->At(height);
-    s = met.s;
-    normal = glm::normalize(glm::transpose(this->back_) * met.gradient);
-    return true;
+    return this->frame_ * (glm::sqrt(glm::max(1.0 + height * this->growth_, 0.0)) * v);
   }
 
 private:
-  struct Met
+  static glm::dmat3 Rotation(const glm::vec4& q)
   {
-    Long s, excess;
-    Vector gradient;
-  };
-
-  static Matrix Rotation(const glm::vec4& q)
-  {
-    return glm::mat3_cast(glm::normalize(glm::qua<Long>(Long(q.w), Long(q.x), Long(q.y), Long(q.z))));
+    return glm::mat3_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
   }
 
-  Vector Squares(Long height) const { return glm::max(Vector(1) + height * this->growth_, Vector(Long(1e-9))); }
-
-  Met At(Long height) const
-  {
-    const Vector weights = Vector(1) / this->Squares(height), y = this->o_ - height * this->way_;
-    const Long a = glm::dot(weights * this->d_, this->d_), b = glm::dot(weights * y, this->d_);
-    const Long discriminant = b * b - a * (glm::dot(weights * y, y) - 1);
-    const Long s = (-b - std::sqrt(std::max(discriminant, Long(0)))) / a;
-    return { s, -discriminant / a, weights * (y + s * this->d_) };
-  }
-
-  Long Rate(Long height) const
-  {
-    const Vector gradient = this->At(height).gradient;
-    return -glm::dot(gradient, Long(2) * this->way_ + this->growth_ * gradient);
-  }
-
-  template <class Function>
-  Long Least(Long low, Long high, const Function& f) const
-  {
-    const Long ends[] = { low, high }, section = (std::sqrt(Long(5)) - 1) / 2;
-    for (int i = 0; i < 100; ++i)
-    {
-      const Long first = high - section * (high - low), second = low + section * (high - low);
-      (f(first) < f(second) ? high : low) = f(first) < f(second) ? second : first;
-    }
-    Long best = (low + high) / 2;
-    for (const Long end : ends)
-    {
-      best = f(end) < f(best) ? end : best;
-    }
-    return best;
-  }
-
-  // How far heights go whose ellipsoids the line meets.
-  Long Edge(Long inside, Long outside) const
-  {
-    for (int i = 0; i < 64 && this->At(outside).excess > 0; ++i)
-    {
-      const Long middle = (inside + outside) / 2;
-      if (this->At(middle).excess > 0)
-      {
-        outside = middle;
-      }
-      else
-      {
-        inside = middle;
-      }
-    }
-    return this->At(outside).excess > 0 ? inside : outside;
-  }
-
-  Vector center_, growth_, way_, o_, d_;
-  Matrix frame_, back_;
+  glm::dvec3 growth_;
+  glm::dmat3 frame_;
 };
 
 template <class Real>
@@ -240,66 +147,41 @@ TYPED_TEST_SUITE(SweptEllipsoidTest, Reals);
 
 TYPED_TEST(SweptEllipsoidTest, CrossingsAreRight)
 {
-  using Kernel = rtg::shapes::Kernel<TypeParam>;
-  using RealVector = glm::vec<3, TypeParam>;
-  constexpr double apart = 4e-5; // of the thickness twice, from the silhouette
   for (const Situation& situation : situations)
   {
     SCOPED_TRACE(situation.name);
-    const bool exactNormals = situation.thinness > 0 && situation.away < 100;
     Maker maker;
-    int judged = 0, wrong = 0, far = 0, askew = 0, outside = 0, misjudged = 0;
+    std::vector<rtg::testing::Verdict> verdicts;
     for (int i = 0; i < 12; ++i)
     {
       rtg::SweepEnd ends[2];
-      const rtg::GlyphInstances glyphs = maker.Sweep(situation, ends);
-      Reference reference(glyphs);
-      const auto glyph = KernelGlyph<TypeParam>(glyphs, 0);
-      const double size = glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
-      RealVector lower, upper;
-      Kernel::GlyphBounds(glyphs.shape, glyph, lower, upper);
+      rtg::testing::HardCase hard;
+      hard.instances = maker.Sweep(situation, ends);
+      const Sweep sweep(hard.instances);
+      const glm::vec3 size = hard.instances.sizes3[0];
+      const double away = situation.away * std::max({ size.x, size.y, size.z });
       for (int k = 0; k < 40; ++k)
       {
         // Through all of it, along the surface, and along the axis.
         const double radius = k % 2 ? std::cbrt(std::abs(maker.Uniform())) : 1.0 + 1e-3 * maker.Uniform();
-        const glm::dvec3 target = reference.Point(maker.Uniform(), radius * maker.Direction());
+        const double height = maker.Uniform();
+        const glm::dvec3 target = height * ends[1].middle + sweep.Point(height, radius * maker.Direction());
         const glm::dvec3 along = glm::normalize(ends[1].middle - ends[0].middle);
-        const glm::dvec3 way = k % 7 ? maker.Direction() : glm::normalize(along + 1e-2 * maker.Direction());
-        typename Kernel::GlyphRay ray{};
-        ray.origin = RealVector(glm::vec3(target - situation.away * size * way));
-        ray.direction = RealVector(glm::vec3(way));
-        Long depth = 0, s = 0;
-        Vector normal;
-        const bool hits = reference.Enter(Vector(ray.origin), Vector(ray.direction), depth, s, normal);
-        TypeParam t = 0, low = 0, high = 0;
-        RealVector found;
-        const bool met = Kernel::IntersectGlyph(glyphs.shape, ray, glyph, 0, TypeParam(1e30), true, t, found);
-        const int verdict = Kernel::EstimateGlyph(glyphs.shape, ray, glyph, 0, TypeParam(1e30), low, high);
-        misjudged += met && (verdict == Kernel::missed || low > t);
-        if (std::abs(depth) < apart)
-        {
-          continue;
-        }
-        ++judged;
-        wrong += hits != met;
-        if (hits && met)
-        {
-          const Long error = std::abs(Long(t) - s), ulps = Long(8) * std::numeric_limits<TypeParam>::epsilon() * s;
-          far += error > ulps + Long(sizeof(TypeParam) == sizeof(float) ? 1e-6 : 1e-8) * size;
-          askew += exactNormals && glm::length(glm::cross(normal, Vector(found))) > Long(1e-5);
-          const RealVector point = ray.origin + t * ray.direction,
-                           padding = TypeParam(2e-6) * (upper - lower) + TypeParam(4e-7) * glm::abs(ray.origin);
-          outside +=
-            glm::any(glm::lessThan(point, lower - padding)) || glm::any(glm::greaterThan(point, upper + padding));
-        }
+        const glm::vec3 way(k % 7 ? maker.Direction() : glm::normalize(along + 1e-2 * maker.Direction()));
+        hard.rays.push_back(rtg::testing::RayFrom(target - away * glm::dvec3(way), way, 0));
       }
+      rtg::testing::ReferenceCase reference(std::move(hard));
+      const auto more = rtg::testing::JudgeKernel<TypeParam>(reference);
+      verdicts.insert(verdicts.end(), more.begin(), more.end());
     }
-    EXPECT_GT(judged, 400);
-    EXPECT_EQ(wrong, 0);
-    EXPECT_EQ(far, 0);
-    EXPECT_EQ(askew, 0);
-    EXPECT_EQ(outside, 0);
-    EXPECT_EQ(misjudged, 0);
+    const rtg::testing::CaseReport report = rtg::testing::Summarise(verdicts);
+    EXPECT_GT(report.compared, 180u);
+    EXPECT_EQ(report.falseHits + report.falseMisses, 0u);
+    EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
+    if (situation.thinness > 0)
+    {
+      EXPECT_EQ(report.normalsOutOfBound, 0u) << "worst: " << report.maxRadians << " radians";
+    }
   }
 }
 
@@ -315,10 +197,10 @@ TYPED_TEST(SweptEllipsoidTest, IsWhatWasGiven)
     {
       rtg::SweepEnd ends[2];
       const rtg::GlyphInstances glyphs = maker.Sweep(situation, ends);
-      const Reference reference(glyphs);
+      const Sweep sweep(glyphs);
       for (int end = 0; end < 2; ++end)
       {
-        const glm::dmat3 found(reference.MatrixAt(end == 0 ? -1 : 1)), given = ends[end].matrix.Matrix();
+        const glm::dmat3 found(sweep.MatrixAt(end == 0 ? -1 : 1)), given = ends[end].matrix.Matrix();
         const double largest = std::max(ends[0].matrix.Largest(), ends[1].matrix.Largest());
         for (int column = 0; column < 3; ++column)
         {
@@ -332,7 +214,7 @@ TYPED_TEST(SweptEllipsoidTest, IsWhatWasGiven)
         double least = HUGE_VAL, most = -HUGE_VAL;
         for (int step = 0; step <= 2000; ++step)
         {
-          const double height = step / 1000.0 - 1.0, reach = std::sqrt(double(reference.MatrixAt(height)[axis][axis]));
+          const double height = step / 1000.0 - 1.0, reach = std::sqrt(double(sweep.MatrixAt(height)[axis][axis]));
           const double middle = height * ends[1].middle[axis];
           least = std::min(least, middle - reach);
           most = std::max(most, middle + reach);

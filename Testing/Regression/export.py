@@ -306,10 +306,12 @@ def check_tubes(view, checks):
     along = numpy.linspace(0.0, 1.0, 41)
     curves = [numpy.stack([3.0 * along, numpy.sin(7.0 * along) + 2.0 * k, numpy.cos(5.0 * along)], axis=1) for k in range(2)]
     widths = numpy.concatenate([0.15 + 0.1 * numpy.sin(9.0 * along), numpy.full(41, 0.2)])
-    lines = tubes.line_data(curves, {"rgb": RGB[:2]}, width=widths, height=numpy.repeat([1.0, 3.0], 41))
+    squares = numpy.outer(widths ** 2, numpy.diag([1.0, 0.5, 0.3]).ravel())
+    lines = tubes.line_data(curves, {"rgb": RGB[:2]}, width=widths, squares=squares, height=numpy.repeat([1.0, 3.0], 41))
     path = session.output("export-tubes.usda")
-    for name, ends, color in (("round tubes", "Rounded", ["CELLS", "rgb"]), ("flat tubes", "Flat", ["CELLS", "rgb"]), ("values along tubes", "Rounded", ["POINTS", "height"])):
-        shown = session.show(session.source(lines), view, "Ray Traced Tubes", TubeRadius=1.0, TubeRadiusArray="width", TubeEnds=ends)
+    for name, radii, ends, color in (("round tubes", "width", "Rounded", ["CELLS", "rgb"]), ("flat tubes", "width", "Flat", ["CELLS", "rgb"]),
+                                     ("values along tubes", "width", "Rounded", ["POINTS", "height"]), ("covariances", "squares", "Rounded", ["POINTS", "height"])):
+        shown = session.show(session.source(lines), view, "Ray Traced Tubes", TubeRadius=1.0, TubeRadiusArray=radii, TubeEnds=ends)
         pv.ColorBy(shown, color)
         shown.MapScalars = int(color[1] == "height")
         session.look(view, (1.5, 1.0, 9.0), (1.5, 1.0, 0.0))
@@ -318,7 +320,7 @@ def check_tubes(view, checks):
         pv.Delete(shown)
         surface = session.show(session.source(triangles(from_usda(path)[0][0])), view, "Surface", ColorArrayName=["POINTS", "rgb"],
                                MapScalars=0, Interpolation="Gouraud")
-        # Cones of a percent of their ratio, of 48 facets
+        # Cones of a percent of their ratio, of 48 facets; sweeps of 34
         checks.picture("export, " + name, session.capture(view, "export-read-" + name.replace(" ", "-")), expected, pixels=0.005, mean=0.7)
         pv.Delete(surface)
 

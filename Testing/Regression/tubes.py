@@ -183,10 +183,12 @@ def translucent(view, checks):
     stage = session.Stage(view, TUBES)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
     for name, way in ways.items():
-        for ends in ("Rounded", "Flat"):
+        for ends in ("Rounded", "Flat", "Covariances"):
             # Radii that change along the way
-            data = line_data([way], thickness=0.25 + 0.03 * numpy.sin(2.0 * numpy.array(way)[:, 0]))
-            shown = stage.show(data, TubeRadius=1.0, TubeRadiusArray="thickness", TubeEnds=ends, Opacity=0.5, SamplesPerPixel=1, **UNLIT)
+            radii = 0.25 + 0.03 * numpy.sin(2.0 * numpy.array(way)[:, 0])
+            data = line_data([way], thickness=radii, squares=numpy.outer(radii ** 2, numpy.diag([1.0, 0.7, 0.5]).ravel()))
+            form = {"TubeRadiusArray": "squares"} if ends == "Covariances" else {"TubeRadiusArray": "thickness", "TubeEnds": ends}
+            shown = stage.show(data, TubeRadius=1.0, Opacity=0.5, SamplesPerPixel=1, **UNLIT, **form)
             session.solid(shown, half)
             pixels = session.capture(view, "tubes-translucent-%s-%s" % (name, ends.lower()))
             mask = inside(comparison.covered(pixels), 1)
@@ -224,10 +226,11 @@ def covariances(view, checks):
     stage, pictures = session.Stage(view, TUBES), {}
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
     shown = stage.show(data, TubeRadius=0.3, SamplesPerPixel=1)
-    for array in ("None", "ball", "nine", "six"):
-        shown.TubeRadiusArray, shown.TubeRadius = array, 0.3
-        pictures[array] = session.capture(view, "tubes-covariances-" + array)
-    checks.picture("covariances of spheres", pictures["ball"], pictures["None"], pixels=0.0002, mean=0.2)
+    for shown.Opacity in (0.5, 1.0):
+        for array in ("None", "ball", "nine", "six"):
+            shown.TubeRadiusArray, shown.TubeRadius = array, 0.3
+            pictures[array] = session.capture(view, "tubes-covariances-%s-%g" % (array, shown.Opacity))
+        checks.picture("covariances of spheres, opacity %g" % shown.Opacity, pictures["ball"], pictures["None"], pixels=0.0002, mean=0.2)
     checks.equal("pixels that six and nine components have otherwise", int((pictures["six"] != pictures["nine"]).any(axis=2).sum()), 0)
     rows, columns = pictures["nine"].shape[:2]
     y, x = numpy.mgrid[0:rows, 0:columns]
