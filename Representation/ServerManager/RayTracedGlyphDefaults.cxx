@@ -324,10 +324,10 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   vtkSMProperty* type = display->GetProperty("GlyphType");
   auto* list = type->FindDomain<vtkSMProxyListDomain>();
   vtkSMProxy* sphere = list ? list->FindProxy("sources", "SphereSource") : nullptr;
-  if (sphere && !this->Chosen.count("GlyphType") && IsNone(display, "SelectOrientationVectors") &&
-    !this->ChooseShape(glyphs))
+  if (sphere && !this->Chosen.count("GlyphType") && IsNone(display, "SelectOrientationVectors"))
   {
     vtkSMPropertyHelper(type).Set(sphere);
+    this->ChooseShape(glyphs);
     this->ChooseScaleMode(glyphs);
   }
   if (!this->Chosen.count("ScaleFactor"))
@@ -535,25 +535,23 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
 
 //----------------------------------------------------------------------------
 // In the window data that have neither directions nor sizes show their tensors, else their spherical harmonics.
-bool rtglyphs::RayTracedGlyphDefaults::ChooseShape(vtkSMProxy* glyphs)
+void rtglyphs::RayTracedGlyphDefaults::ChooseShape(vtkSMProxy* glyphs)
 {
   using Shapes = rtglyphs::GlyphShapes;
   auto* scales = ListOf(glyphs, "SelectScaleArray");
   const auto tensors = ListOf(glyphs, "GlyphTensorArray")->Choose();
-  const int shape = !tensors
-    ? (ListOf(glyphs, "GlyphHarmonicsArray")->Choose() ? Shapes::SPHERICAL_HARMONICS : Shapes::GLYPH_TYPE)
-    : tensors.Components > 9 || !tensors.IsEvident ? Shapes::GLYPH_TYPE
-    : tensors.IsNegative                           ? Shapes::SIGNED_TENSOR_SUPERQUADRIC
-                                                   : Shapes::TENSOR_ELLIPSOID;
-  if (shape == Shapes::GLYPH_TYPE || this->Chosen.count("GlyphShape") || !IsInWindow(glyphs) ||
-    vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() != Shapes::GLYPH_TYPE ||
-    rtglyphs::GlyphArrayRoles::IsSize(scales->ChooseFor(rtglyphs::GlyphArrayRoles::SIZE, scales->Listed()).Name))
+  const auto shown = tensors ? tensors : ListOf(glyphs, "GlyphHarmonicsArray")->Choose();
+  const int shape = !shown.IsEvident || tensors.Components > 9 ? Shapes::GLYPH_TYPE
+    : !tensors                                                 ? Shapes::SPHERICAL_HARMONICS
+    : tensors.IsNegative                                       ? Shapes::SIGNED_TENSOR_SUPERQUADRIC
+                                                               : Shapes::TENSOR_ELLIPSOID;
+  if (shape != Shapes::GLYPH_TYPE && !this->Chosen.count("GlyphShape") && IsInWindow(glyphs) &&
+    vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == Shapes::GLYPH_TYPE &&
+    !rtglyphs::GlyphArrayRoles::IsSize(scales->ChooseFor(rtglyphs::GlyphArrayRoles::SIZE, scales->Listed()).Name))
   {
-    return false;
+    vtkSMPropertyHelper(glyphs, "GlyphShape").Set(shape);
+    this->ChooseArrays(glyphs, Where::Everywhere);
   }
-  vtkSMPropertyHelper(glyphs, "GlyphShape").Set(shape);
-  this->ChooseArrays(glyphs, Where::Everywhere);
-  return true;
 }
 
 //----------------------------------------------------------------------------

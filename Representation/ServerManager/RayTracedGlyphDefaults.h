@@ -72,7 +72,7 @@ private:
 
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
   void ChooseArray(vtkSMProxy* glyphs, const char* name);
-  bool ChooseShape(vtkSMProxy* glyphs);
+  void ChooseShape(vtkSMProxy* glyphs);
   void ChooseScaleMode(vtkSMProxy* glyphs);
 
   RayTracedColoring Coloring;

@@ -336,7 +336,7 @@ ROWS = (
     Row("grains with stresses", lambda: legacy("stressed.vtk", PLACES, radius=RANDOM.uniform(0.002, 0.005, 300), stress=RANDOM.normal(size=(300, 6))),
         {SIZE: "radius", "GlyphShape": 0}, "radius", 300),
     Row("a histogram", lambda: table("bins.csv", x=NODES[:, 0], y=NODES[:, 1], z=NODES[:, 2], **columns("bin", RANDOM.uniform(size=(120, 9)), *"123456789")),
-        {"GlyphShape": 0}, None, 120),
+        {"GlyphShape": 0}, "", 120),
     Row("wind by angles", lambda: table("stations.csv", x=NODES[:, 0], y=NODES[:, 1], z=0.0 * NODES[:, 2], wind_direction=RANDOM.uniform(0.0, 360.0, 120),
                                         wind_speed=RANDOM.uniform(1.0, 20.0, 120)),
         {DIRECTION: "None"}, "wind_speed", 120, ("Angles are no directions: a Calculator makes vectors of wind_direction", )),
