@@ -381,8 +381,7 @@ struct Columns
       (at > 0 && std::islower(static_cast<unsigned char>(first[at])) &&
         std::isupper(static_cast<unsigned char>(first[at + length]))); // ExRe
     const bool named = !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
-    const bool begins =
-      at == 0 && (named || (speed && (first.size() == 2 || BeginsWord(first, 1)))); // uo of oceans, uMean
+    const bool begins = at == 0 && (named || (speed && first.size() == 2)); // uo, ua: of oceans and the atmosphere
     const bool running = index.front() == "11" && this->Has(Replaced(first, at, length, "10"));
     const bool whole =
       std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Left[name]->IsWhole; });

@@ -300,7 +300,6 @@ TABLES = (
     ("ParaView, vectors", "Points:0 Points:1 Points:2 U:0 U:1 U:2 p", VECTORS, "U:0, U:1, U:2"),
     ("FLEXI in the plane", "Density MomentumX MomentumY", VECTORS, "MomentumX, MomentumY"),
     ("Trixi in the plane", "rho v1 v2 p", VECTORS, "v1, v2"),
-    ("averages", "uMean vMean wMean TMean", VECTORS, "uMean, vMean, wMean"),
     ("PLUTO", "Bx1 Bx2 Bx3 vx1 vx2 vx3", VECTORS, "vx1, vx2, vx3"),
     ("CST, a complex field", "ExIm EyIm EzIm ExRe EyRe EzRe", VECTORS, "ExRe, EyRe, EzRe"),
     ("MPAS in the plane", "velocityZonal velocityMeridional", VECTORS, "velocityZonal, velocityMeridional"),
