@@ -150,7 +150,8 @@ bool IsRotation(const Array& array)
     (array.Components == 4 && HasLength(array, 1.0));
 }
 
-// A letter alone may be anything, and no rotation has five, six or seven components, or nine that are not orthonormal.
+// A letter alone may be anything, no rotation has five, six or seven components, and orientations of fibers are
+// tensors.
 const Meaning& MeaningOf(const Array& array, double spacing)
 {
   const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
@@ -160,7 +161,7 @@ const Meaning& MeaningOf(const Array& array, double spacing)
   const bool tuple = !array.IsPlace && (array.Components > 3) == turning;
   const bool meant = array.Components > 1 ? tuple : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
   const bool other = array.HasTensorNames || (array.Components > 4 && array.Components < 9) ||
-    (array.Components == 9 && array.IsKnown() && std::abs(array.Largest - std::sqrt(3.0)) > 1e-3);
+    (array.Components == 9 && meaning.Names.front() == "orient*" && array.IsKnown() && !IsRotation(array));
   return (letter && !meant) || (turning && other) ? unnamed : meaning;
 }
 
