@@ -160,8 +160,9 @@ const Meaning& MeaningOf(const Array& array, double spacing)
   const bool turning = meaning.Scores[ROTATION] == turns;
   const bool tuple = !array.IsPlace && (array.Components > 3) == turning;
   const bool meant = array.Components > 1 ? tuple : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
-  const bool other = array.HasTensorNames || (array.Components > 4 && array.Components < 9) ||
-    (array.Components == 9 && meaning.Names.front() == "orient*" && array.IsKnown() && !IsRotation(array));
+  const bool fiber =
+    turning && meaning.Names.front() == "orient*" && array.Components == 9 && array.IsKnown() && !IsRotation(array);
+  const bool other = array.HasTensorNames || (array.Components > 4 && array.Components < 9) || fiber;
   return (letter && !meant) || (turning && other) ? unnamed : meaning;
 }
 
