@@ -549,8 +549,11 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseShape(vtkSMProxy* glyphs)
     vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == Shapes::GLYPH_TYPE &&
     !rtglyphs::GlyphArrayRoles::IsSize(scales->ChooseFor(rtglyphs::GlyphArrayRoles::SIZE, scales->Listed()).Name))
   {
-    vtkSMPropertyHelper(glyphs, "GlyphShape").Set(shape);
+    vtkSMProxy* display = glyphs->GetTrueParentProxy();
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    vtkSMPropertyHelper(display, "GlyphShape").Set(shape);
     this->ChooseArrays(glyphs, Where::Everywhere);
+    display->UpdateVTKObjects();
   }
 }
 

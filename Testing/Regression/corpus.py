@@ -380,6 +380,7 @@ def main(words):
         own = {"Sign": "GlyphTensorColoring", "Fractional Anisotropy": "GlyphTensorColoring", "Axes": "GlyphDirectionColoring"}.get(row.color)
         wanted = "%s = '%s'" % (own, row.color) if own else "'%s'))" % row.color
         checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors", "Atomic Numbers") or wanted in trace)
+        checks.true("%s: the trace has no GlyphShape" % row.name, not row.arrays.get("GlyphShape") or "GlyphShape = '" in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):
         row, column = divmod(i, COLUMNS)
