@@ -7,7 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <unordered_set>
+#include <unordered_map>
 
 namespace
 {
@@ -30,10 +30,11 @@ constexpr int tensor = 60; // the name of one
 // Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS, EXPONENTS
 const Meaning meanings[] = {
   { { "colo*", "rgb*", "rgba", "texture*", "tcoord*", "normalmap" }, {} },
-  { { "imag*", "error*", "std", "residual*", "uncertain*" }, { 10, 10, 10, 10, 0, 20, 20, 0 } }, // beside a quantity
+  { { "imag*", "im", "error*", "std*", "residual*", "uncertain*" },
+    { 10, 10, 10, 10, 0, 20, 20, 0 } }, // beside a quantity
   { { "blockiness*", "exponent*", "roundness*", " block" }, { 0, 0, 0, 0, 0, 0, 0, 80 } },
-  { { "radius*", "radii", "rvir" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
-  { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0, 0 }, 1.0 },
+  { { "radius*", "radii", "rvir", "pscale" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
+  { { "diameter*", "diam", "esd", " d" }, { 0, 0, 88, 20, 0, 0, 0, 0 }, 1.0 },
   { { "spacing" }, { 0, 0, 80, 18, 0, 0, 0, 0 }, 1.0 },
   { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
     { 0, 0, 70, 16, 0, 0, 0, 0 } },
@@ -41,36 +42,50 @@ const Meaning meanings[] = {
       "vtk*", "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "idp",
       "subdomain*", "partition*", " image", "period*" },
     {} },
+  { { "eigenval*" }, { 0, 0, 20, 20, 0, 20, 0, 0 } },
+  { { "tensor*" }, { 20, 20, 15, 20, 0, tensor, 20, 0 } },
   { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
   { { "quat*", "q", "rot", "rotation*", "matrix", "axes", "frame", "basis", "transform*" },
     { 48, turns, 0, 0, 0, 0, 0, 0 } },
   { { "orient*" }, { 48, turns, 0, 0, 0, 0, 0, 0 } },
   { { "angular*", "ang", "angvel", "omega" }, { 44, 44, 10, 44, 0, tensor, 0, 0 } },
-  { { "tensor*", "stress*", "strain*", "sigma", "epsilon", "diffusion*", "dti", "hessian*", "inertia*", "conductivity*",
+  { { "stress*", "strain*", "sigma", "epsilon", "diffusion*", "dti", "hessian*", "inertia*", "conductivity*",
       "permeability*", "virial*", "reynolds*", "fabric*", "cov", "covar*" },
     { 20, 20, 15, 20, 0, tensor, 20, 0 } },
-  { { "veloc*", "vel", "speed*", "v", "u" }, { 60, 60, 25, 60, 90, 20, 0, 0 } },
+  { { "vel*", "speed*", "v", "u", "vx" }, { 60, 60, 25, 60, 90, 20, 0, 0 } },
   { { "displac*", "disp", "displ", "depl" }, { 58, 58, 24, 58, 0, 20, 0, 0 } },
   { { "force*", "f" }, { 56, 56, 24, 56, 0, 20, 0, 0 } },
-  { { "acceler*", "moment*", "mom", "flux*", "flow*", "wind*", "current*", "field*", "magnet*", "dipole*", "spin*",
+  { { "accel*", "moment*", "mom", "flux*", "flow*", "wind*", "current*", "field*", "magnet*", "dipole*", "spin*",
       "grad*", "direct*", "dir", "vector*", "vec", "tangent*", "axis", "vorticity", "torque*" },
     { 50, 50, 22, 50, 0, tensor, 0, 0 } },
   { { "pressure*" }, { 20, 20, 20, 20, 0, tensor, 0, 0 } },
+  { { "peak*" }, { 20, 20, 20, 20, 0, 0, 0, 0 } }, // of distributions, some vectors each
   { { "normal*" }, { 7, 7, 0, 7, 0, 0, 0, 0 } },
   { { "mass*", "mvir", "dens*", "energ*", "edep", "lumin*", "viscos*", "resistiv*", "concentr*", "dissip*" },
     { 20, 20, 20, 20, 0, 20, 20, 0 }, 0.0, true },
 };
+// Of one component, in degrees or radians.
+const Words angles = { "angle*", "azim*", "bearing*", "heading*", "strike*", "dip", "rake", "trend", "plunge", "yaw",
+  "inclination", "direct*", "dir", "orient*" };
 const Meaning unnamed = { {}, { 20, 20, 20, 20, 1, 20, 20, 0 } };
+
+// The capital before small letters ends a row of capitals: UMean, but not IDs.
+bool BeginsWord(const std::string& name, std::size_t i)
+{
+  const auto isSmall = [&name](std::size_t at)
+  { return at < name.size() && std::islower(static_cast<unsigned char>(name[at])); };
+  return std::isupper(static_cast<unsigned char>(name[i])) && isSmall(i + 1) && isSmall(i + 2);
+}
 
 // In lower case.
 Words WordsOf(const std::string& name)
 {
   Words words(1);
   char before = 0;
-  for (char letter : name)
+  for (std::size_t i = 0; i < name.size(); ++i)
   {
-    const auto c = static_cast<unsigned char>(letter);
-    const bool camel = std::isupper(c) && std::islower(static_cast<unsigned char>(before));
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool camel = std::isupper(c) && (std::islower(static_cast<unsigned char>(before)) || BeginsWord(name, i));
     if (!std::isalpha(c) || camel)
     {
       words.emplace_back();
@@ -79,33 +94,35 @@ Words WordsOf(const std::string& name)
     {
       words.back() += static_cast<char>(std::tolower(c));
     }
-    before = letter;
+    before = name[i];
   }
   words.erase(std::remove(words.begin(), words.end(), std::string()), words.end());
   return words;
 }
 
 // A letter alone is the name of a number only.
+bool HasOneOf(const Words& words, const Words& names, int components)
+{
+  return std::any_of(names.begin(), names.end(),
+    [&](const std::string& known)
+    {
+      if (known[0] == ' ')
+      {
+        return words.size() == 1 && words[0] == known.substr(1) && (known.size() > 2 || components == 1);
+      }
+      return std::any_of(words.begin(), words.end(),
+        [&known](const std::string& word) {
+          return known.back() == '*' ? word.compare(0, known.size() - 1, known, 0, known.size() - 1) == 0
+                                     : word == known;
+        });
+    });
+}
+
 const Meaning& MeaningOf(const std::string& name, int components)
 {
   const Words words = WordsOf(name);
-  const auto isOneOf = [&](const Meaning& meaning)
-  {
-    return std::any_of(meaning.Names.begin(), meaning.Names.end(),
-      [&](const std::string& known)
-      {
-        if (known[0] == ' ')
-        {
-          return words.size() == 1 && words[0] == known.substr(1) && (known.size() > 2 || components == 1);
-        }
-        return std::any_of(words.begin(), words.end(),
-          [&known](const std::string& word) {
-            return known.back() == '*' ? word.compare(0, known.size() - 1, known, 0, known.size() - 1) == 0
-                                       : word == known;
-          });
-      });
-  };
-  const auto found = std::find_if(std::begin(meanings), std::end(meanings), isOneOf);
+  const auto found = std::find_if(std::begin(meanings), std::end(meanings),
+    [&](const Meaning& meaning) { return HasOneOf(words, meaning.Names, components); });
   return found != std::end(meanings) ? *found : unnamed;
 }
 
@@ -121,17 +138,6 @@ bool IsPlausible(const Array& array, double spacing)
     (array.Least >= 0.0 && array.Largest < 2.0 * spacing && array.Largest > 0.02 * spacing);
 }
 
-// A letter alone may be anything.
-const Meaning& MeaningOf(const Array& array, double spacing)
-{
-  const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
-  const bool letter = words.size() == 1 && words.front().size() == 1;
-  const Meaning& meaning = MeaningOf(array);
-  const bool tuple = !array.IsPlace && (array.Components > 3) == (meaning.Scores[ROTATION] == turns);
-  const bool meant = array.Components > 1 ? tuple : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
-  return letter && !meant ? unnamed : meaning;
-}
-
 // All of one magnitude: quaternions, rotation matrices.
 bool HasLength(const Array& array, double length)
 {
@@ -144,6 +150,22 @@ bool IsRotation(const Array& array)
     (array.Components == 4 && HasLength(array, 1.0));
 }
 
+// A letter alone may be anything, no rotation has five, six or seven components, and orientations of fibers are
+// tensors.
+const Meaning& MeaningOf(const Array& array, double spacing)
+{
+  const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
+  const bool letter = words.size() == 1 && words.front().size() == 1;
+  const Meaning& meaning = MeaningOf(array);
+  const bool turning = meaning.Scores[ROTATION] == turns;
+  const bool tuple = !array.IsPlace && (array.Components > 3) == turning;
+  const bool meant = array.Components > 1 ? tuple : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
+  const bool fiber =
+    turning && meaning.Names.front() == "orient*" && array.Components == 9 && array.IsKnown() && !IsRotation(array);
+  const bool other = array.HasTensorNames || (array.Components > 4 && array.Components < 9) || fiber;
+  return (letter && !meant) || (turning && other) ? unnamed : meaning;
+}
+
 // Three components under the name of a rotation are angles.
 bool IsNeverVector(const Meaning& meaning)
 {
@@ -154,7 +176,7 @@ bool IsNeverVector(const Meaning& meaning)
 bool Fits(Role role, const Array& array, const Meaning& meaning)
 {
   const int n = array.Components;
-  const bool vector = (n == 3 && !array.HasTensorNames) || (n == 2 && &meaning != &unnamed);
+  const bool vector = !array.HasTensorNames && (n == 3 || (n == 2 && &meaning != &unnamed));
   const bool turning = meaning.Scores[ROTATION] == turns || IsRotation(array);
   switch (role)
   {
@@ -170,8 +192,8 @@ bool Fits(Role role, const Array& array, const Meaning& meaning)
     case EXPONENTS:
       return n == 2 || n == 3;
     case TENSOR:
-      return n == 6 || n == 7 || n == 9 || n == 15 || n == 21 || n == 36 || n == 81 ||
-        ((n == 3 || n == 4) &&
+      return (n >= 5 && n <= 7) || n == 9 || n == 15 || n == 21 || n == 36 || n == 81 ||
+        (n >= 2 && n <= 4 &&
           (array.HasTensorNames ||
             (meaning.Scores[TENSOR] == tensor && meaning.Scores[DIRECTION] == unnamed.Scores[DIRECTION])));
     default:
@@ -216,9 +238,17 @@ Evidence Weigh(Role role, const Array& array, double spacing)
     score += tensor;
     evidence.Why = "the names of its components";
   }
-  if (role == TENSOR && array.Components > 9)
+  if (role == TENSOR && (array.Components > 9 || array.Components == 5))
   {
     score = 1 + score / 16; // of second order first
+  }
+  else if (role == TENSOR && array.Components < 5 && !array.HasTensorNames)
+  {
+    score /= 4; // vectors, as stresses at a wall, if there are other tensors
+  }
+  if (IsAngle(array))
+  {
+    score = std::min(score, 10);
   }
   if (array.Components == 1 && (role == SIZE || role == LENGTH))
   {
@@ -271,14 +301,15 @@ std::vector<Words> Indices()
   };
   for (const char* letters : { "xyz", "XYZ", "123" })
   {
-    for (const char* names :
-      { "xx xy xz yx yy yz zx zy zz", "xx yy zz xy yz xz", "xx yy zz xy yz zx", "xx yy zz xy", "xx yy xy" })
+    for (const char* names : { "xx xy xz yx yy yz zx zy zz", "xx yy zz xy yz xz", "xx yy zz xy yz zx", "xx xy xz yy yz",
+           "xx yy zz xy", "xx yy xy", "xx xy" })
     {
       add(names, letters);
     }
   }
   for (const char* names :
-    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "e n u", "E N U", "x y", "X Y", "u v", "U V" })
+    { "w x y z", "w i j k", "x y z", "X Y Z", "i j k", "u v w", "U V W", "e n u", "E N U", "east north up",
+      "East North Up", "x y", "X Y", "u v", "U V", "east north", "East North", "zonal meridional", "Zonal Meridional" })
   {
     add(names, nullptr);
   }
@@ -293,7 +324,7 @@ std::string Replaced(const std::string& name, std::size_t at, std::size_t length
 // Columns of a table, of which some become components of joined arrays.
 struct Columns
 {
-  std::unordered_set<std::string> Left, Whole; // all, and those of an integer type
+  std::unordered_map<std::string, const Array*> Left;
   bool Plane = false;
   std::vector<Array> Joined;
 
@@ -348,18 +379,22 @@ struct Columns
     // The component's name ends a word, or begins that of a vector: xvel, but not xs.
     const Words words = WordsOf(array.Columns);
     const Meaning& meaning = MeaningOf(array);
-    const bool ends = !isAt(at + length);
+    const bool ends = !isAt(at + length) || (at > 0 && BeginsWord(first, at + length)) ||
+      (at > 0 && std::islower(static_cast<unsigned char>(first[at])) &&
+        std::isupper(static_cast<unsigned char>(first[at + length]))); // ExRe
     const bool named = !words.empty() && words.front().size() > 1 && meaning.Scores[DIRECTION] > 20;
     const bool begins = at == 0 && (named || (speed && first.size() == 2)); // uo, ua: of oceans and the atmosphere
     const bool running = index.front() == "11" && this->Has(Replaced(first, at, length, "10"));
     const bool whole =
-      std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Whole.count(name) > 0; });
-    const bool meant = &meaning != &unnamed ? array.Components > 2 || !speed || this->Plane
+      std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Left[name]->IsWhole; });
+    const bool flat = speed || length > 1; // of a map, traceless tensors
+    const bool meant = &meaning != &unnamed ? array.Components > 2 || !flat || this->Plane
                                             : array.Components > 2 && !whole; // images, indices of a grid
     if (words.empty() || !(ends || begins) || !meant || running)
     {
       return;
     }
+    array.IsNegative = this->Left[names.front()]->IsNegative;
     for (const std::string& name : names)
     {
       this->Left.erase(name);
@@ -384,14 +419,23 @@ Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& ar
       most = evidence;
       best.Name = array.Name;
       best.Components = array.Components;
+      best.IsNegative = array.IsNegative;
     }
   }
   if (best)
   {
+    best.IsEvident = most.Why || (best.Components >= 6 && best.Name.find(", ") == std::string::npos);
     best.Why = most.Why ? most.Why : "its number of components";
     best.Why += alike > 1 ? ", as the first of " + std::to_string(alike) + " equal candidates" : "";
   }
   return best;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphArrayRoles::IsAngle(const Array& array)
+{
+  return array.Components == 1 && array.IsKnown() && array.Least >= -360.0 && array.Largest <= 360.0 &&
+    HasOneOf(WordsOf(array.Name), angles, 1);
 }
 
 //----------------------------------------------------------------------------
@@ -414,11 +458,7 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
   columns.Plane = plane;
   for (const Array& number : numbers)
   {
-    columns.Left.insert(number.Name);
-    if (number.IsWhole)
-    {
-      columns.Whole.insert(number.Name);
-    }
+    columns.Left[number.Name] = &number;
     const Words words = WordsOf(number.Name);
     if (words.size() == 2 && words[0] == "atomic" && (words[1] == "number" || words[1] == "numbers"))
     {

@@ -35,6 +35,7 @@ struct Array
   bool IsWhole = false;                // of an integer type
   bool IsActive[NUMBER_OF_ROLES] = {}; // ParaView's attribute of that kind
   bool HasTensorNames = false;         // its components are named xx, xy, ...
+  bool IsNegative = false;             // its first number, xx of a tensor, and by no noise
   bool IsPlace = false;                // three components with the ranges of the points' coordinates
   double Least = 0.0, Largest = -1.0;  // value, of several components magnitude; Largest < Least: not known
   bool IsKnown() const { return this->Least <= this->Largest; }
@@ -45,6 +46,8 @@ struct Choice
   std::string Name; // empty: none
   std::string Why;  // the reason, in a few words
   int Components = 0;
+  bool IsEvident = false;  // more than the number of some columns speaks for it
+  bool IsNegative = false; // Array::IsNegative
   explicit operator bool() const { return !this->Name.empty(); }
 };
 
@@ -59,6 +62,11 @@ Choice Choose(Role role, const std::vector<Array>& arrays, double spacing);
  * with commas between. Of u and v alone only if the points lie in a plane. And radii of atomic numbers.
  */
 std::vector<Array> Join(const std::vector<Array>& numbers, bool plane);
+
+/**
+ * Whether values and name are those of angles, of which nobody knows from where they are counted.
+ */
+bool IsAngle(const Array& array);
 
 /**
  * Whether the name is that of a size.

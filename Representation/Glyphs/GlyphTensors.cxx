@@ -22,7 +22,7 @@ struct Known
   int Layout; // -1: any
   std::string Names;
 };
-// As simulation codes write tuples of 3, 4, 6, 7 and 9 components; of two for the same number the first counts.
+// As simulation codes write tuples of 3 to 7 and 9 components; of two for the same number the first counts.
 const Known known[] = {
   { rtglyphs::GlyphTensors::VTK_ORDER, "xx yy zz xy yz xz" },
   { rtglyphs::GlyphTensors::ROW, "xx xy xz yy yz zz" },
@@ -34,6 +34,7 @@ const Known known[] = {
   { rtglyphs::GlyphTensors::LOWER, "xx xy yy" },
   { -1, "xx yy zz xy" },
   { -1, "xx yy xy" },
+  { -1, "xx xy xz yy yz" },
   { -1, "-- xx xy xz yy yz zz" },
   { -1, "xx xy xz yx yy yz zx zy zz" },
 };
@@ -113,6 +114,18 @@ rtg::SymmetricTensor rtglyphs::GlyphTensors::Order::operator()(const double* tup
       return {};
     }
   }
+  if (this->Places.size() == 5 || this->Places.size() == 2)
+  {
+    const auto isMissing = [this](double Tensor::*place)
+    {
+      return std::none_of(
+        this->Places.begin(), this->Places.end(), [place](const Place& one) { return one.To == place; });
+    };
+    double Tensor::*const rest = isMissing(&Tensor::xx) ? &Tensor::xx
+      : isMissing(&Tensor::yy)                          ? &Tensor::yy
+                                                        : &Tensor::zz;
+    tensor.*rest = -(tensor.xx + tensor.yy + tensor.zz); // without a trace
+  }
   return tensor;
 }
 
@@ -155,7 +168,7 @@ std::string rtglyphs::GlyphTensors::Problem(vtkDataArray* array, const Settings&
   return rtglyphs::GlyphArrays::Problem(settings.Array, array, fits, "Tensor glyphs need tensors", "GlyphTensorArray",
     !array    ? "6 or 9"
       : plane ? "9, or 4 of a plane, with GlyphTensorLayout Matrix"
-              : "6 or 9, 7 with a confidence, or 3 or 4 of a plane");
+              : "6 or 9, 7 with a confidence, 5 without a trace, or 3 or 4 of a plane");
 }
 
 //----------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSmartPointer.h"
@@ -139,7 +140,10 @@ public:
   bool Renew(Where where) override
   {
     const bool isArray = vtkSMStringVectorProperty::SafeDownCast(this);
-    const bool lost = where == Where::Lost && isArray && this->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN;
+    auto* list = this->template FindDomain<vtkSMRayTracedArrayListDomain>();
+    const bool lost = where == Where::Lost && isArray &&
+      (this->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN ||
+        (list && !list->Choose(vtkSMPropertyHelper(this).GetAsString())));
     // GlyphLocation Points may be the default of no arrays.
     const auto isNone = [this, isArray]
     {

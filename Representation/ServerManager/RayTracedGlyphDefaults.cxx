@@ -23,6 +23,7 @@
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMStringListDomain.h"
 #include "vtkSMTrace.h"
 #include "vtkSmartPointer.h"
 
@@ -51,8 +52,8 @@ const char* const sharedArrays[] = { "SelectOrientationVectors", "SelectScaleArr
 const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
 // Those that ray-traced glyphs have another default of.
-const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "ScaleMode", "Scaling",
-  "SelectScaleArray", "SelectOrientationVectors" };
+const std::set<std::string> defaultedAnew = { "GlyphShape", "GlyphType", "Orient", "ScaleFactor", "ScaleMode",
+  "Scaling", "SelectScaleArray", "SelectOrientationVectors" };
 
 bool Shows(vtkSMProxy* display, const char* representation)
 {
@@ -71,6 +72,17 @@ bool IsNone(vtkSMProxy* display, const char* array)
   return !value || !value[0] || strcmp(value, "None") == 0;
 }
 
+vtkSMRayTracedArrayListDomain* ListOf(vtkSMProxy* glyphs, const char* property)
+{
+  return glyphs->GetProperty(property)->FindDomain<vtkSMRayTracedArrayListDomain>();
+}
+
+// Scripts set what they need.
+bool IsInWindow(vtkSMProxy* glyphs)
+{
+  return vtkSMPropertyHelper(glyphs->GetTrueParentProxy(), "SamplesPerRender").GetAsInt() < 0;
+}
+
 bool HasPeriodicBox(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input");
@@ -86,6 +98,34 @@ bool HasPeriodicBox(vtkSMProxy* display)
     }
   }
   return false;
+}
+
+// Six numbers without names may have another order.
+void ExplainOrder(vtkSMProxy* glyphs, bool tensors, std::vector<std::string>& sentences)
+{
+  const std::string name = vtkSMPropertyHelper(glyphs, "GlyphTensorArray").GetAsString();
+  for (const auto& array : ListOf(glyphs, "GlyphTensorArray")->Listed())
+  {
+    if (tensors && array.Name == name && array.Components == 6 && !array.HasTensorNames)
+    {
+      sentences.push_back("Components of " + name +
+        " by GlyphTensorLayout: " + vtkSMPropertyHelper(glyphs, "GlyphTensorLayout").GetAsString());
+    }
+  }
+}
+
+// Azimuths, from north or from x, are not taken for directions.
+void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
+{
+  std::string angles;
+  for (const auto& array : ListOf(glyphs, "SelectScaleArray")->Listed())
+  {
+    angles += rtglyphs::GlyphArrayRoles::IsAngle(array) ? (angles.empty() ? "" : ", ") + array.Name : "";
+  }
+  if (!angles.empty())
+  {
+    sentences.push_back("Angles are no directions: a Calculator makes vectors of " + angles);
+  }
 }
 
 // What is to be known of periodic domains.
@@ -287,6 +327,7 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   if (sphere && !this->Chosen.count("GlyphType") && IsNone(display, "SelectOrientationVectors"))
   {
     vtkSMPropertyHelper(type).Set(sphere);
+    this->ChooseShape(glyphs);
     this->ChooseScaleMode(glyphs);
   }
   if (!this->Chosen.count("ScaleFactor"))
@@ -327,7 +368,7 @@ bool rtglyphs::RayTracedGlyphDefaults::ChooseArrays(vtkSMProxy* glyphs, Where wh
     const std::string before = vtkSMPropertyHelper(shared).GetAsString();
     unsigned int index = 0;
     if (IsNone(display, name) || where == Where::Everywhere ||
-      (where != Where::Missing && !list->IsInDomain(before.c_str(), index)))
+      (where != Where::Missing && (!list->IsInDomain(before.c_str(), index) || !list->Choose(before.c_str()))))
     {
       this->ChooseArray(glyphs, name);
       changed |= before != vtkSMPropertyHelper(shared).GetAsString();
@@ -361,18 +402,35 @@ bool rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedGlyphDefaults::ColorTubes(vtkSMProxy* display)
+void rtglyphs::RayTracedGlyphDefaults::ChooseTubes(vtkSMProxy* display)
 {
-  const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
-  const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
-  if (Shows(display, "Ray Traced Tubes") && std::exchange(this->TubesWanted, false) && window && !(array && array[0]))
+  if (!Shows(display, "Ray Traced Tubes") || !std::exchange(this->TubesWanted, false) ||
+    vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() >= 0)
   {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
-    this->Choosing = true;
-    vtkSMPropertyHelper(display, "GlyphDirectionColoring").Set(rtglyphs::DirectionColors::AXES);
-    this->Choosing = false;
-    display->UpdateVTKObjects();
+    return;
   }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+  this->Choosing = true;
+  const char* color = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
+  if (!(color && color[0]))
+  {
+    vtkSMPropertyHelper(display, "GlyphDirectionColoring").Set(rtglyphs::DirectionColors::AXES);
+  }
+  auto* list = display->GetProperty("TubeRadiusArray")->FindDomain<vtkSMStringListDomain>();
+  std::vector<std::string> radii;
+  for (unsigned int i = 0; i < list->GetNumberOfStrings(); ++i)
+  {
+    if (rtglyphs::GlyphArrayRoles::DiametersOf(list->GetString(i)) > 0.0)
+    {
+      radii.emplace_back(list->GetString(i));
+    }
+  }
+  if (radii.size() == 1 && IsNone(display, "TubeRadiusArray"))
+  {
+    vtkSMPropertyHelper(display, "TubeRadiusArray").Set(radii.front().c_str());
+  }
+  this->Choosing = false;
+  display->UpdateVTKObjects();
 }
 
 //----------------------------------------------------------------------------
@@ -389,7 +447,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   const auto number = [glyphs](const char* name) { return vtkSMPropertyHelper(glyphs, name).GetAsDouble(); };
   const auto explain = [&](const char* what, const char* name)
   {
-    auto* domain = glyphs->GetProperty(name)->FindDomain<vtkSMRayTracedArrayListDomain>();
+    auto* domain = ListOf(glyphs, name);
     if (IsNone(glyphs, name) || !domain)
     {
       return;
@@ -405,6 +463,11 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   if (formed || shape == Shapes::SPHERICAL_HARMONICS)
   {
     explain("Shape", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");
+    ExplainOrder(glyphs, formed, sentences);
+  }
+  else if (IsNone(glyphs, "SelectOrientationVectors"))
+  {
+    ExplainAngles(glyphs, sentences);
   }
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {
@@ -471,12 +534,35 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
 }
 
 //----------------------------------------------------------------------------
-// In the window bodies, and default spheres, take their sizes from the data; scripts set them.
+// In the window data that have neither directions nor sizes show their tensors, else their spherical harmonics.
+void rtglyphs::RayTracedGlyphDefaults::ChooseShape(vtkSMProxy* glyphs)
+{
+  using Shapes = rtglyphs::GlyphShapes;
+  auto* scales = ListOf(glyphs, "SelectScaleArray");
+  const auto tensors = ListOf(glyphs, "GlyphTensorArray")->Choose();
+  const auto shown = tensors ? tensors : ListOf(glyphs, "GlyphHarmonicsArray")->Choose();
+  const int shape = !shown.IsEvident || tensors.Components > 9 ? Shapes::GLYPH_TYPE
+    : !tensors                                                 ? Shapes::SPHERICAL_HARMONICS
+    : tensors.IsNegative                                       ? Shapes::SIGNED_TENSOR_SUPERQUADRIC
+                                                               : Shapes::TENSOR_ELLIPSOID;
+  if (shape != Shapes::GLYPH_TYPE && !this->Chosen.count("GlyphShape") && IsInWindow(glyphs) &&
+    vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == Shapes::GLYPH_TYPE &&
+    !rtglyphs::GlyphArrayRoles::IsSize(scales->ChooseFor(rtglyphs::GlyphArrayRoles::SIZE, scales->Listed()).Name))
+  {
+    vtkSMProxy* display = glyphs->GetTrueParentProxy();
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    vtkSMPropertyHelper(display, "GlyphShape").Set(shape);
+    this->ChooseArrays(glyphs, Where::Everywhere);
+    display->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------
+// In the window bodies, and default spheres, take their sizes from the data.
 void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
 {
-  auto* list = glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();
-  const bool window = vtkSMPropertyHelper(glyphs->GetTrueParentProxy(), "SamplesPerRender").GetAsInt() < 0;
-  if (this->Chosen.count("ScaleMode") || !list || !window)
+  auto* list = ListOf(glyphs, "SelectScaleArray");
+  if (this->Chosen.count("ScaleMode") || !list || !IsInWindow(glyphs))
   {
     return;
   }

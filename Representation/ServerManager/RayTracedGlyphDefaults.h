@@ -51,10 +51,10 @@ public:
   VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
 
   /**
-   * Tubes of the display get the colors of their directions: in the window, once, when they are first shown and nothing
-   * colors them.
+   * Tubes of the display get the colors of their directions, where nothing colors them, and the radius of the only
+   * array of that name: in the window, once, when they are first shown.
    */
-  void ColorTubes(vtkSMProxy* display);
+  void ChooseTubes(vtkSMProxy* display);
 
   /**
    * Which arrays the glyphs of a display show, and why, where they are those that the data suggest; and what is to be
@@ -72,6 +72,7 @@ private:
 
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
   void ChooseArray(vtkSMProxy* glyphs, const char* name);
+  void ChooseShape(vtkSMProxy* glyphs);
   void ChooseScaleMode(vtkSMProxy* glyphs);
 
   RayTracedColoring Coloring;

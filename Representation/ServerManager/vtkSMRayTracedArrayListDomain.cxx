@@ -32,6 +32,8 @@ namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
 
+constexpr double noise = 0.1; // of an eigenvalue, as a fraction of the largest one
+
 // Of six and nine components without names ParaView says XX, YY, ...
 bool AreTensorNames(vtkPVArrayInformation* array)
 {
@@ -76,6 +78,7 @@ std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const
     }
     const int type = array->GetDataType(), attribute = attributes->IsArrayAnAttribute(i);
     const double* range = array->GetComponentFiniteRange(array->GetNumberOfComponents() > 1 ? -1 : 0);
+    const double* first = array->GetComponentFiniteRange(array->GetNumberOfComponents() == 7 ? 1 : 0);
     Array one;
     one.Name = array->GetName();
     one.Components = array->GetNumberOfComponents();
@@ -89,6 +92,7 @@ std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const
     one.IsActive[TENSOR] = attribute == vtkDataSetAttributes::TENSORS;
     one.HasTensorNames = AreTensorNames(array);
     one.IsPlace = bounds && ArePlaces(array, bounds);
+    one.IsNegative = first && first[0] < -noise * std::max(std::abs(first[0]), std::abs(first[1]));
     one.Least = range ? range[0] : one.Least;
     one.Largest = range ? range[1] : one.Largest;
     arrays.push_back(one);
@@ -124,6 +128,29 @@ double SpacingOf(vtkPVDataInformation* data)
   return axes > 0 && std::isfinite(spacing) ? spacing : 0.0;
 }
 
+// Those of columns.
+std::vector<Array> JoinedOf(const std::vector<Array>& arrays, vtkPVDataInformation* data)
+{
+  std::vector<Array> numbers;
+  std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(numbers),
+    [](const Array& array) { return array.Components == 1 && !array.IsColor; });
+  return rtglyphs::GlyphArrayRoles::Join(numbers, !numbers.empty() && data && AxesOf(data->GetBounds()) < 3);
+}
+
+// With the joined arrays in place of their columns.
+std::vector<Array> WithJoined(std::vector<Array> arrays, vtkPVDataInformation* data)
+{
+  const std::vector<Array> joined = JoinedOf(arrays, data);
+  const auto isPart = [&joined](const Array& array)
+  {
+    return std::any_of(joined.begin(), joined.end(),
+      [&](const Array& whole) { return (", " + whole.Name + ',').find(", " + array.Name + ',') != std::string::npos; });
+  };
+  std::erase_if(arrays, isPart);
+  arrays.insert(arrays.end(), joined.begin(), joined.end());
+  return arrays;
+}
+
 // Of a display whether its glyphs, arrows or cones, follow directions.
 bool AreArrows(vtkSMProxy* glyphs)
 {
@@ -153,16 +180,6 @@ std::vector<Array> vtkSMRayTracedArrayListDomain::InputArrays()
 }
 
 //----------------------------------------------------------------------------
-std::vector<Array> vtkSMRayTracedArrayListDomain::Joined(const std::vector<Array>& arrays)
-{
-  std::vector<Array> numbers;
-  std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(numbers),
-    [](const Array& array) { return array.Components == 1 && !array.IsColor; });
-  vtkPVDataInformation* data = numbers.empty() ? nullptr : this->GetInputDataInformation("Input");
-  return rtglyphs::GlyphArrayRoles::Join(numbers, data && AxesOf(data->GetBounds()) < 3);
-}
-
-//----------------------------------------------------------------------------
 vtkPVDataInformation* vtkSMRayTracedArrayListDomain::GetExtraDataInformation()
 {
   // A vertex, as ParaView leaves out arrays of nothing.
@@ -173,7 +190,7 @@ vtkPVDataInformation* vtkSMRayTracedArrayListDomain::GetExtraDataInformation()
   vertices->InsertNextCell(1, &point);
   columns->SetPoints(points);
   columns->SetVerts(vertices);
-  for (const Array& array : this->Joined(this->InputArrays()))
+  for (const Array& array : JoinedOf(this->InputArrays(), this->GetInputDataInformation("Input")))
   {
     vtkNew<vtkFloatArray> joined;
     joined->SetName(array.Name.c_str());
@@ -190,28 +207,21 @@ vtkPVDataInformation* vtkSMRayTracedArrayListDomain::GetExtraDataInformation()
 //----------------------------------------------------------------------------
 std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
 {
-  std::vector<Array> arrays = this->InputArrays();
-  const std::vector<Array> joined = this->Joined(arrays);
+  std::vector<Array> arrays = WithJoined(this->InputArrays(), this->GetInputDataInformation("Input"));
   const auto isMissing = [this](const Array& array)
   {
     unsigned int listed = 0;
     return this->IsInDomain(array.Name.c_str(), listed) == 0;
   };
-  const auto isPart = [&joined](const Array& array)
-  {
-    return std::any_of(joined.begin(), joined.end(),
-      [&](const Array& whole) { return (", " + whole.Name + ',').find(", " + array.Name + ',') != std::string::npos; });
-  };
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isPart), arrays.end());
-  arrays.insert(arrays.end(), joined.begin(), joined.end());
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isMissing), arrays.end());
+  std::erase_if(arrays, isMissing);
   return arrays;
 }
 
 //----------------------------------------------------------------------------
-Choice vtkSMRayTracedArrayListDomain::Choose()
+Choice vtkSMRayTracedArrayListDomain::Choose(const char* only)
 {
   std::vector<Array> arrays = this->Listed();
+  std::erase_if(arrays, [only](const Array& array) { return only && array.Name != only; });
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   const bool arrows = AreArrows(glyphs);
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
@@ -277,17 +287,21 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
 std::optional<bool> vtkSMRayTracedArrayListDomain::AreAtCells(vtkPVDataInformation* data, int shape)
 {
   using Shapes = rtglyphs::GlyphShapes;
-  const std::vector<Array> points = ArraysOf(data->GetPointDataInformation(), nullptr);
-  const std::vector<Array> cells = ArraysOf(data->GetCellDataInformation(), nullptr);
+  const std::vector<Array> points = WithJoined(ArraysOf(data->GetPointDataInformation(), nullptr), data);
+  const std::vector<Array> cells = WithJoined(ArraysOf(data->GetCellDataInformation(), nullptr), data);
   const std::vector<Role> roles = shape == Shapes::SPHERICAL_HARMONICS ? std::vector<Role>{ HARMONICS }
     : Shapes::IsColored(shape)                                         ? std::vector<Role>{ TENSOR }
-                                                                       : std::vector<Role>{ DIRECTION, TENSOR };
+                                                                       : std::vector<Role>{ DIRECTION, TENSOR, SIZE };
   for (Role role : roles)
   {
-    const bool atPoints(rtglyphs::GlyphArrayRoles::Choose(role, points, 0.0));
-    if (atPoints || rtglyphs::GlyphArrayRoles::Choose(role, cells, 0.0))
+    const auto have = [role](const std::vector<Array>& arrays)
     {
-      return !atPoints;
+      const Choice choice = rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0);
+      return choice && (role != SIZE || rtglyphs::GlyphArrayRoles::IsSize(choice.Name));
+    };
+    if (have(points) || have(cells))
+    {
+      return !have(points);
     }
   }
   return {};

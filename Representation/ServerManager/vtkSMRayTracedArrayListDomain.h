@@ -43,9 +43,9 @@ public:
   std::vector<Array> Listed();
 
   /**
-   * The default, and why.
+   * The default, and why; of one array whether it can be that.
    */
-  Choice Choose();
+  Choice Choose(const char* only = nullptr);
   Choice ChooseFor(rtglyphs::GlyphArrayRoles::Role role, const std::vector<Array>& arrays);
 
   /**
@@ -73,7 +73,6 @@ protected:
 private:
 #ifndef __VTK_WRAP__
   std::vector<Array> InputArrays();
-  std::vector<Array> Joined(const std::vector<Array>& arrays);
 #endif
 
   std::string ChoiceOfArray; // the attribute `choice`

@@ -158,7 +158,7 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       vtkSMViewProxy::SafeDownCast(view)->Update();
     }
     rtglyphs::RayTracedSuggestion::Take(this);
-    this->GlyphDefaults.ColorTubes(display);
+    this->GlyphDefaults.ChooseTubes(display);
     if (glyphs)
     {
       this->GlyphDefaults.Color(this, view);

@@ -74,6 +74,13 @@ def pdb():
     return attributes(session.poly_data(5.0 * grid(10, 10, 1), radius=radii, rgb_colors=colors), Scalars="rgb_colors", Vectors="radius")
 
 
+def at_cells(**arrays):
+    """Vertices with cell arrays, and nothing at the points."""
+    data = session.with_cells(session.poly_data(box()), "Verts", [[i] for i in range(100)])
+    session.add_arrays(data, data.GetCellData(), **arrays)
+    return data
+
+
 def cloud(mesh, drops):
     """A mesh with its velocity, and a cloud of drops."""
     return blocks(internalMesh=mesh, cloud=drops)
@@ -108,6 +115,8 @@ def tensors(layout, count=8):
         matrix[2], matrix[:, 2] = 0.0, 0.0
     if "zz" in layout and "xz" not in layout and "zx" not in layout:
         matrix[2, :2] = matrix[:2, 2] = 0.0
+    if len(layout) == 5:
+        matrix -= numpy.trace(matrix) / 3.0 * numpy.eye(3)
     chosen = [1.0 if index == "confidence" else matrix["xyz".index(index[0]), "xyz".index(index[1])] for index in layout]
     turning = numpy.array([[0.0, 0.5, -1.0], [-0.5, 0.0, 3.0], [1.0, -3.0, 0.0]])
     return numpy.tile((matrix + turning).reshape(-1), (count, 1)), numpy.tile(chosen, (count, 1))
@@ -159,6 +168,7 @@ ORDERS = (
     ("xx xy yx yy", "Matrix", "FEniCS in the plane"),
     ("xx yy xy", "xx yy zz xy yz xz", "plane stress: Voigt's order"),
     ("xx xy yy", "xx xy xz yy yz zz", "the upper triangle of a matrix of the plane"),
+    ("xx xy xz yy yz", "xx yy zz xy yz xz", "nematics, without a trace: openQmin, Ludwig"),
 )
 
 
@@ -290,6 +300,11 @@ TABLES = (
     ("ParaView, vectors", "Points:0 Points:1 Points:2 U:0 U:1 U:2 p", VECTORS, "U:0, U:1, U:2"),
     ("FLEXI in the plane", "Density MomentumX MomentumY", VECTORS, "MomentumX, MomentumY"),
     ("Trixi in the plane", "rho v1 v2 p", VECTORS, "v1, v2"),
+    ("PLUTO", "Bx1 Bx2 Bx3 vx1 vx2 vx3", VECTORS, "vx1, vx2, vx3"),
+    ("CST, a complex field", "ExIm EyIm EzIm ExRe EyRe EzRe", VECTORS, "ExRe, EyRe, EzRe"),
+    ("MPAS in the plane", "velocityZonal velocityMeridional", VECTORS, "velocityZonal, velocityMeridional"),
+    ("MPAS on a sphere", "velocityZonal velocityMeridional", VECTORS, None),
+    ("stations", "vel_east vel_north vel_up", VECTORS, "vel_east, vel_north, vel_up"),
     ("LAMMPS, coordinates", "xu yu zu xs ys zs", VECTORS, None),
     ("coordinates", "xParticle yParticle zParticle", VECTORS, None),
     ("two species", "u v", VECTORS, None),
@@ -302,6 +317,8 @@ TABLES = (
     ("MOOSE in the plane", "disp_x disp_y stress_xx stress_yy stress_zz stress_xy", TENSORS, "stress_xx, stress_yy, stress_zz, stress_xy"),
     ("Abaqus", "S.S11 S.S22 S.S33 S.S12 S.S13 S.S23", TENSORS, "S.S11, S.S22, S.S33, S.S12, S.S23, S.S13"),
     ("plane stress", "sxx syy sxy", TENSORS, "sxx, syy, sxy"),
+    ("openQmin", "Qxx Qxy Qxz Qyy Qyz type", TENSORS, "Qxx, Qxy, Qxz, Qyy, Qyz"),
+    ("active nematics in the plane", "Qxx Qxy", TENSORS, "Qxx, Qxy"),
     ("ParaView, matrices", " ".join("DTI:%d" % i for i in range(9)), TENSORS, ", ".join("DTI:%d" % i for i in range(9))),
     ("ParaView, symmetric tensors", " ".join("S:%d" % i for i in range(6)), TENSORS, ", ".join("S:%d" % i for i in range(6))),
     ("ParaView, harmonics", " ".join("odf:%d" % i for i in range(15)), ODF, ", ".join("odf:%d" % i for i in range(15))),
@@ -426,6 +443,11 @@ def shuffled(view, checks):
     pv.Render(view)
     reasons = session.statistics(shown)["choices"]
     checks.true("two vectors: %s" % reasons, any("first of 2 equal candidates" in reason for reason in reasons))
+    session.assign_shape(shown, "Tensor Ellipsoid")
+    for tensor, vector in ("ab", "ba"):
+        session.replace_data(shown.Input, session.poly_data(PLACES, **{tensor: RANDOM.normal(size=(100, 6)), vector: RANDOM.normal(size=(100, 3))}))
+        checks.no_message("tensors are " + tensor, session.messages(lambda: pv.Render(view)))
+        checks.equal("tensors after others of that name", shown.SMProxy.GetProperty("GlyphTensorArray").GetElement(0), tensor)
     pv.Delete(shown)
 
 
@@ -491,6 +513,20 @@ ROWS = (
     Row("modes of vibration", lambda: session.poly_data(
         grid(4, 4, 4), Mode_1_imag=1e-3 * (grid(4, 4, 4) + 1.0), Mode_1_real=grid(4, 4, 4)[:, ::-1] - 1.0, Mode_0_error=grid(4, 4, 4) + 2.0),
         ARROWS, {"SelectOrientationVectors": "Mode_1_real", "SelectScaleArray": "Mode_1_real"}),
+    Row("averages of OpenFOAM", lambda: session.poly_data(
+        box(), UMean=RANDOM.normal(size=(100, 3)), UPrime2Mean=RANDOM.normal(size=(100, 6)), **{"grad(p)": RANDOM.normal(size=(100, 3))},
+        wallShearStress=RANDOM.normal(size=(100, 3))), ARROWS, {"SelectOrientationVectors": "UMean", "GlyphTensorArray": "UPrime2Mean"}),
+    Row("principal stresses", lambda: session.poly_data(box(), eigenvalues=RANDOM.normal(size=(100, 3)), eigenvector_1=unit(100, 3)), ARROWS,
+        {"SelectOrientationVectors": "eigenvector_1"}),
+    Row("a complex field", lambda: session.poly_data(box(), **{"electric field im": RANDOM.normal(size=(100, 3)), "electric field re": RANDOM.normal(size=(100, 3))}),
+        ARROWS, {"SelectOrientationVectors": "electric field re"}),
+    Row("columns at cells", lambda: at_cells(Ex=RANDOM.normal(size=100), Ey=RANDOM.normal(size=100), Ez=RANDOM.normal(size=100), rho=RANDOM.normal(size=100)),
+        ARROWS, {"GlyphLocation": 1, "SelectOrientationVectors": "Ex, Ey, Ez"}, glyphs=100),
+    Row("sizes at cells", lambda: at_cells(radius=RANDOM.uniform(0.01, 0.02, 100)), SIZED, {"GlyphLocation": 1, "SelectScaleArray": "radius"}, (2.0, 2.0)),
+    Row("orientations of fibers in a composite", lambda: session.poly_data(box(), fiber_orientation=tensors("xx yy zz xy yz xz".split(), 100)[1]),
+        {"GlyphShape": "Tensor Ellipsoid"}, {"GlyphTensorArray": "fiber_orientation"}, glyphs=100),
+    Row("orientation tensors", lambda: session.poly_data(box(), **{"Fiber orientation tensor": tensors("xx yy zz xy yz xz".split(), 100)[0]}),
+        {"GlyphShape": "Tensor Ellipsoid"}, {"GlyphTensorArray": "Fiber orientation tensor"}, glyphs=100),
     # Bodies are turned by what turns them
     Row("bodies with quaternions", lambda: session.poly_data(
         grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), quat=RANDOM.normal(size=(64, 4)), shape=numpy.ones((64, 3))), {"GlyphShape": "Capsule"},

@@ -327,6 +327,19 @@ ROWS = (
                                                     - numpy.where(numpy.arange(60) % 20 == 0, 5e-4, 0.0)[:, None] * numpy.eye(3).reshape(-1)),
         {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("5 % of the tensors have a negative eigenvalue, drawn as a positive one; their fractional "
                                                        "anisotropy may pass 1", ), GlyphShape="Tensor Superquadric"),
+    Row("stresses alone", lambda: vtu("stress.vtu", SIDES, 1.0, {"stress": stresses(NODES), "mises": NODES[:, 0]}),
+        {TENSOR: "stress", "GlyphShape": 8}, "Sign", 120, ("Shape by stress: its name", "Components of stress by GlyphTensorLayout: xx yy zz xy yz xz")),
+    Row("diffusion tensors alone", lambda: vti("alone.vti", (6, 5, 2), D=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]], b0=numpy.ones(60)),
+        {TENSOR: "D", "GlyphShape": 6}, "Fractional Anisotropy", 60, ("Shape by D: its number of components", )),
+    Row("ODF alone", lambda: vti("fod.vti", (5, 4, 1), fod=RANDOM.normal(size=(20, 45)) * 0.02 + numpy.eye(45)[0] * 0.28),
+        {"GlyphHarmonicsArray": "fod", "GlyphShape": 12}, "Axes", 20, ("Shape by fod", )),
+    Row("grains with stresses", lambda: legacy("stressed.vtk", PLACES, radius=RANDOM.uniform(0.002, 0.005, 300), stress=RANDOM.normal(size=(300, 6))),
+        {SIZE: "radius", "GlyphShape": 0}, "radius", 300),
+    Row("a histogram", lambda: table("bins.csv", x=NODES[:, 0], y=NODES[:, 1], z=NODES[:, 2], **columns("bin", RANDOM.uniform(size=(120, 9)), *"123456789")),
+        {"GlyphShape": 0}, "", 120),
+    Row("wind by angles", lambda: table("stations.csv", x=NODES[:, 0], y=NODES[:, 1], z=0.0 * NODES[:, 2], wind_direction=RANDOM.uniform(0.0, 360.0, 120),
+                                        wind_speed=RANDOM.uniform(1.0, 20.0, 120)),
+        {DIRECTION: "None"}, "wind_speed", 120, ("Angles are no directions: a Calculator makes vectors of wind_direction", )),
     Row("OOMMF, directions of magnetization", lambda: vti("spins.vti", (8, 8, 1), m=unit(64, 3)), {DIRECTION: "m"}, "Axes", 64, ("Direction by m", "Color by direction")),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
     Row("N-body, masses", lambda: legacy("nbody.vtk", PLACES, masses=10.0**RANDOM.uniform(4.0, 12.0, 300)), {SIZE: "None"}, "masses", 300),
@@ -377,6 +390,7 @@ def main(words):
         own = {"Sign": "GlyphTensorColoring", "Fractional Anisotropy": "GlyphTensorColoring", "Axes": "GlyphDirectionColoring"}.get(row.color)
         wanted = "%s = '%s'" % (own, row.color) if own else "'%s'))" % row.color
         checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors", "Atomic Numbers") or wanted in trace)
+        checks.true("%s: the trace has no GlyphShape" % row.name, not row.arrays.get("GlyphShape") or "GlyphShape = '" in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):
         row, column = divmod(i, COLUMNS)

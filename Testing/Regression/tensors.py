@@ -387,7 +387,7 @@ def main():
     bad[0] = 0.0
     bad[2, 4] = numpy.nan
     expected = [("zero and not finite", bad, "t", "Matrix", "1 of 3 points"),
-                ("five components", numpy.ones((3, 5)), "t", "xx yy zz xy yz xz", "5 components where 6 or 9, 7 with a confidence, or 3 or 4 of a plane are needed"),
+                ("eight components", numpy.ones((3, 8)), "t", "xx yy zz xy yz xz", "8 components where 6 or 9, 7 with a confidence, 5 without a trace, or 3 or 4 of a plane are needed"),
                 ("six as matrix", layouts["xx yy zz xy yz xz"], "t", "Matrix", "6 components where 9, or 4 of a plane, with GlyphTensorLayout Matrix are needed"),
                 ("no array", bad, "None", "xx yy zz xy yz xz", "Choose a point array")]
     for name, values, array, layout, words in expected:

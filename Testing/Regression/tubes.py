@@ -151,6 +151,15 @@ def directions(view, checks):
         checks.true("still colored by direction", (session.capture(view, "tubes-directions-off")[..., :3] != pixels[..., :3]).any())
         stepwise(shown, 0)
         pv.Delete(shown)
+    for radii, wanted in (({"MaximumInscribedSphereRadius": numpy.full(9, 0.1)}, "MaximumInscribedSphereRadius"),
+                          ({"pore.diameter": numpy.full(9, 0.1), "throat.diameter": numpy.full(9, 0.1)}, "None")):
+        shown = stepwise(pv.Show(session.source(line_data([numpy.outer([-1.0, 0.2, 1.0], way) for way in ways], Curvature=numpy.ones(9), **radii)), view))
+        shown.SetRepresentationType(TUBES)
+        pv.Render(view)
+        checks.equal("radius of tubes in a window", shown.SMProxy.GetProperty("TubeRadiusArray").GetElement(0), wanted)
+        checks.true("the array's radius is not exact: %g" % shown.TubeRadius, wanted == "None" or shown.TubeRadius == 1.0)
+        stepwise(shown, 0)
+        pv.Delete(shown)
 
 
 def picking(view, checks):
