@@ -366,17 +366,8 @@ private:
 vtkDataObject* rtglyphs::GlyphReduction::Get(
   vtkDataObject* tree, const rtglyphs::RayTracedBlocks& blocks, const Settings& settings, double cell)
 {
-  std::vector<vtkMTimeType> colors;
-  for (const rtglyphs::RayTracedBlocks::Block& block : blocks.GetBlocks())
-  {
-    for (const std::string& name : { block.Scalars.Array, std::string(rtglyphs::RayTracedArrays::Selected) })
-    {
-      vtkAbstractArray* array = block.Data->GetPointData()->GetAbstractArray(name.c_str());
-      colors.push_back(array ? array->GetMTime() : 0);
-    }
-  }
   this->Known.Update(
-    { rtglyphs::GlyphArrays::KeyOf(blocks.GetPoints(), { settings }, blocks.GetHidden()), colors, cell },
+    { rtglyphs::GlyphArrays::KeyOf(blocks.GetPoints(), { settings }, blocks.GetHidden()), blocks.GetVersion(), cell },
     [&]
     {
       const Reducer reduce(blocks, settings, cell);

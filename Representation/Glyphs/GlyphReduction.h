@@ -15,8 +15,8 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <tuple>
-#include <vector>
 
 namespace rtglyphs
 {
@@ -35,12 +35,10 @@ public:
   static GlyphSettings SettingsFor(GlyphSettings settings);
 
 private:
-  // The arrays of colors and of the selection have time stamps, too.
-  RayTracedCache<std::tuple<GlyphArrays::Key, std::vector<vtkMTimeType>, double>> Known;
+  RayTracedCache<std::tuple<GlyphArrays::Key, std::uint64_t, double>> Known; // blocks have a version
   vtkSmartPointer<vtkDataObject> Reduced;
 };
 
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphReduction.h
