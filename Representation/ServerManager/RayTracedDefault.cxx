@@ -143,7 +143,7 @@ public:
     auto* list = this->template FindDomain<vtkSMRayTracedArrayListDomain>();
     const bool lost = where == Where::Lost && isArray &&
       (this->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN ||
-        (list && !list->Choose(vtkSMPropertyHelper(this).GetAsString())));
+        (list && list->HasBetterThan(vtkSMPropertyHelper(this).GetAsString())));
     // GlyphLocation Points may be the default of no arrays.
     const auto isNone = [this, isArray]
     {

@@ -368,7 +368,7 @@ bool rtglyphs::RayTracedGlyphDefaults::ChooseArrays(vtkSMProxy* glyphs, Where wh
     const std::string before = vtkSMPropertyHelper(shared).GetAsString();
     unsigned int index = 0;
     if (IsNone(display, name) || where == Where::Everywhere ||
-      (where != Where::Missing && (!list->IsInDomain(before.c_str(), index) || !list->Choose(before.c_str()))))
+      (where != Where::Missing && (!list->IsInDomain(before.c_str(), index) || list->HasBetterThan(before.c_str()))))
     {
       this->ChooseArray(glyphs, name);
       changed |= before != vtkSMPropertyHelper(shared).GetAsString();

@@ -294,7 +294,7 @@ def bad_input(checks, view):
     good[:, 0] = 1.0
     good[1], good[2, 3] = 0.0, numpy.nan
     places = numpy.array([[-0.9, 0.0, 0.0], [-0.3, 0.0, 0.0], [0.3, 0.0, 0.0], [0.9, 0.0, 0.0]])
-    points = session.source(session.poly_data(places, seven=numpy.ones((4, 7)), five=numpy.ones((4, 5)), good=good, zeros=numpy.zeros((4, 6)), one=numpy.ones(4)))
+    points = session.source(session.poly_data(places, seven=numpy.ones((4, 7)), eight=numpy.ones((4, 8)), good=good, zeros=numpy.zeros((4, 6)), one=numpy.ones(4)))
     shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="seven", ScaleFactor=0.8)
     look(view, (0.0, 0.0, 1.0))
     text = session.messages(lambda: pv.Render(view))
@@ -310,7 +310,7 @@ def bad_input(checks, view):
     shown.GlyphHarmonicsArray = "one"
     checks.no_message("one component", session.messages(lambda: pv.Render(view)))
     checks.equal("glyphs of one component", session.statistics(shown)["glyphs"], 4)
-    for shape, name, counts in (("Normal Stress", "five", "6 or 9"), ("Fourth-Order Tensor", "good", "15, 21, 36 or 81")):
+    for shape, name, counts in (("Normal Stress", "eight", "6 or 9"), ("Fourth-Order Tensor", "good", "15, 21, 36 or 81")):
         shown.GlyphTensorArray, shown.GlyphShape = name, shape
         text = session.messages(lambda: pv.Render(view))
         checks.one_message(shape, text, "'%s'" % name, "GlyphTensorArray", counts)
