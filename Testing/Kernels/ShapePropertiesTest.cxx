@@ -120,6 +120,7 @@ TEST_P(ShapePropertiesTest, ScaleByPowersOfTwo)
         scaledGlyph.center *= scale;
         scaledGlyph.size *= scale;
         scaledGlyph.unitLength *= scale;
+        scaledGlyph.after *= this->GetParam().shape == Shape::SweptEllipsoid ? scale : 1.0f; // lengths
         float scaled = 0;
         ASSERT_TRUE(this->Hit(scaledRay, scaledGlyph, scaled));
         EXPECT_EQ(scaled, t * scale);
