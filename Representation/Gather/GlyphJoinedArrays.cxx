@@ -63,14 +63,17 @@ void AddRadii(vtkPointData* data, const std::string& name, vtkDataArray* numbers
 void rtglyphs::GlyphJoinedArrays::Add(vtkPolyData* points, const std::string& name)
 {
   vtkPointData* data = points->GetPointData();
+  if (data->HasArray(name.c_str()))
+  {
+    return;
+  }
   vtkDataArray* numbers = name.starts_with(vanDerWaals) ? data->GetArray(name.c_str() + vanDerWaals.size()) : nullptr;
   if (numbers)
   {
     AddRadii(data, name, numbers);
     return;
   }
-  const std::vector<vtkDataArray*> arrays =
-    data->HasArray(name.c_str()) ? std::vector<vtkDataArray*>() : Parts(data, name);
+  const std::vector<vtkDataArray*> arrays = Parts(data, name);
   if (arrays.empty())
   {
     return;

@@ -2,11 +2,8 @@
  * @class   RayTracedTubeBuilder
  * @brief   builds the round cones that the kernels trace from lines and poly-lines
  *
- * Each piece between two points of a line that do not coincide is a round cone (Kernels/Shapes/RoundCone.glsl). A line
- * whose first point is also its last one has no ends. Points nearer to a flat end than their radius are left out, so
- * that the line is straight there: the balls round them would stick out.
- *
- * With covariances as radii each piece is a swept ellipsoid (Kernels/Shapes/SweptEllipsoid.glsl), whose ends are round.
+ * Round cones are those of TubePieces. With covariances as radii each piece is a swept ellipsoid
+ * (Kernels/Shapes/SweptEllipsoid.glsl), whose ends are round.
  *
  * Left out and counted are lines without two different points, and pieces with an end whose position, motion or radius
  * is not finite, or whose radius or an eigenvalue of whose covariance is negative, or with radii of zero at both ends.
