@@ -1,6 +1,7 @@
 #include "GlyphStep.h"
 
 #include "Finite.h"
+#include "Parallel.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "RayTracedTree.h"
@@ -41,9 +42,10 @@ vtkDataArray* IdsOf(vtkPolyData* points, const std::string& name)
 std::array<double, 3> LongestDisplacements(const rtglyphs::GlyphStep::Pairs& pairs)
 {
   std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
-  for (int c = 0; c < 3 && !pairs.empty(); ++c)
+  const auto find = [&](std::size_t c)
   {
     std::vector<double> lengths;
+    lengths.reserve(pairs.size());
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (const auto& [now, before] : pairs)
     {
@@ -54,7 +56,8 @@ std::array<double, 3> LongestDisplacements(const rtglyphs::GlyphStep::Pairs& pai
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
     longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
-  }
+  };
+  rtg::ParallelFor(pairs.empty() ? 0 : 3, find);
   return longest;
 }
 }
@@ -145,21 +148,22 @@ void rtglyphs::GlyphStep::KeepUnique()
 //----------------------------------------------------------------------------
 rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::Match(const std::vector<Entry>& now, const std::vector<Entry>& before)
 {
-  Pairs pairs;
-  auto partner = before.begin();
-  for (const Entry& entry : now)
-  {
-    partner = std::find_if(partner, before.end(), [&entry](const Entry& other) { return other.Key() >= entry.Key(); });
-    if (partner == before.end())
+  return rtglyphs::RayTracedParallel::Reduce(
+    static_cast<vtkIdType>(now.size()), Pairs(),
+    [&](vtkIdType begin, vtkIdType end, Pairs& own)
     {
-      break;
-    }
-    if (partner->Key() == entry.Key())
-    {
-      pairs.emplace_back(&entry, &*partner);
-    }
-  }
-  return pairs;
+      const auto precedes = [](const Entry& a, const Entry& b) { return a.Key() < b.Key(); };
+      auto partner = std::lower_bound(before.begin(), before.end(), now[begin], precedes);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        partner = std::find_if(partner, before.end(), [&](const Entry& other) { return other.Key() >= now[i].Key(); });
+        if (partner != before.end() && partner->Key() == now[i].Key())
+        {
+          own.emplace_back(&now[i], &*partner);
+        }
+      }
+    },
+    [](Pairs& all, const Pairs& own) { all.insert(all.end(), own.begin(), own.end()); });
 }
 
 //----------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #include "GlyphStepTrail.h"
 
+#include "RayTracedParallel.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "vtkAlgorithm.h"
@@ -195,19 +196,20 @@ void rtglyphs::GlyphStepTrail::AddTo(vtkDataObject* gathered, const rtg::Periodi
     {
       pairs = GlyphStep::WithoutCrossings(std::move(pairs));
     }
-    std::vector<GlyphStep::Entry> going;
-    going.reserve(pairs.size());
-    for (const auto& [now, before] : pairs)
-    {
-      const glm::dvec3 displacement(before->X[0] - now->X[0], before->X[1] - now->X[1], before->X[2] - now->X[2]);
-      const glm::dvec3 shift = ShiftToNearest(displacement, translations);
-      going.push_back(*now);
-      for (int c = 0; c < 3; ++c)
+    std::vector<GlyphStep::Entry> going(pairs.size());
+    rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(pairs.size()),
+      [&](vtkIdType i)
       {
-        going.back().X[c] = before->X[c] + shift[c];
-        trails[now->Leaf]->SetComponent(now->Point, static_cast<int>(3 * step) + c, going.back().X[c]);
-      }
-    }
+        const auto [now, before] = pairs[i];
+        const glm::dvec3 displacement(before->X[0] - now->X[0], before->X[1] - now->X[1], before->X[2] - now->X[2]);
+        const glm::dvec3 shift = ShiftToNearest(displacement, translations);
+        going[i] = *now;
+        for (int c = 0; c < 3; ++c)
+        {
+          going[i].X[c] = before->X[c] + shift[c];
+          trails[now->Leaf]->SetComponent(now->Point, static_cast<int>(3 * step) + c, going[i].X[c]);
+        }
+      });
     later = std::move(going);
   }
 }

@@ -43,7 +43,7 @@ def green_places(view, picture):
 
 
 CASES = {
-    "Sphere": (points, {}, "number", range(7, 12)),
+    "Sphere": (points, {"Scaling": 1, "ScaleMode": "Magnitude", "SelectScaleArray": "Van der Waals radii of number", "ScaleFactor": 0.3}, "number", range(7, 12)),
     "Box": (points, {"Orient": 0}, "number", range(19)),
     "Mesh": (points, {"Orient": 0}, "number", [3]),
     "Signed Tensor Superquadric": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Sign", "ScaleFactor": 0.35}, None, [0, 19]),
