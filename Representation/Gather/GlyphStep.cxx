@@ -46,12 +46,17 @@ std::array<double, 3> LongestDisplacements(const rtglyphs::GlyphStep::Pairs& pai
   {
     std::vector<double> lengths;
     lengths.reserve(pairs.size());
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double least = HUGE_VAL, most = -HUGE_VAL, longestOfAll = 0.0;
     for (const auto& [now, before] : pairs)
     {
       lengths.push_back(std::abs(now->X[c] - before->X[c]));
+      longestOfAll = std::max(longestOfAll, lengths.back());
       least = std::min({ least, now->X[c], before->X[c] });
       most = std::max({ most, now->X[c], before->X[c] });
+    }
+    if (longestOfAll <= 0.5 * (most - least))
+    {
+      return; // without sorting
     }
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
