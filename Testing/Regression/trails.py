@@ -8,6 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import comparison
 import session
+import step_velocity
 from checks import Checks
 from step_velocity import series
 
@@ -168,6 +169,31 @@ def periodic(checks, view):
     pv.Delete(shown)
 
 
+#: So many points that several threads match them: each step has others of them, in another order.
+MANY = """
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+time = self.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+who = numpy.random.default_rng(int(time)).permutation(60000)[:50000]
+points = numpy.stack([who / 60000.0, 0.01 * time + 0.0 * who, 0.0 * who], axis=1)
+arrays, mine = {"who": who}, slice(0, 50000)
+self.GetOutput().GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+"""
+
+
+def many(checks, view):
+    """The places of many points are those of their ids."""
+    shown = shown_in(view, session.points_of_ranks(MANY, step_velocity.INFORMATION % ([0.0, 1.0, 2.0], 0.0, 2.0)), 2)
+    view.ViewTime = 2.0
+    pv.Render(view)
+    there = [set(numpy.random.default_rng(time).permutation(60000)[:50000].tolist()) for time in range(3)]
+    wrong = [who for who, line in delivered(shown) if len(line) != (1 if who not in there[1] else 2 if who not in there[0] else 3) or
+             not numpy.allclose(line, [(who / 60000.0, 0.01 * (2 - i)) for i in range(len(line))], atol=1e-6)]
+    checks.equal("many points: wrong trails", (wrong, len(delivered(shown))), ([], 50000))
+    pv.Delete(shown)
+
+
 def looks(checks, view):
     """Opacity that falls evenly, in one tube without seams; opaque again; the width of an arrow's trail; what is picked."""
     line = tuple((float(time), (1,), ((-1.0 + 0.5 * time, 0.0),)) for time in range(5))
@@ -227,6 +253,7 @@ def main():
     reached(checks, view)
     periodic(checks, view)
     looks(checks, view)
+    many(checks, view)
     messages(checks, view)
     checks.report()
 
