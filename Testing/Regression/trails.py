@@ -169,15 +169,15 @@ def periodic(checks, view):
     pv.Delete(shown)
 
 
-#: So many points that several threads match them: each step has others of them, in another order.
+#: So many points that several threads match them: each step has others of them, and more, in another order.
 MANY = """
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 time = self.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
-who = numpy.random.default_rng(int(time)).permutation(60000)[:50000]
+who = numpy.random.default_rng(int(time)).permutation(60000)[:40000 + 5000 * int(time)]
 points = numpy.stack([who / 60000.0, 0.01 * time + 0.0 * who, 0.0 * who], axis=1)
-arrays, mine = {"who": who}, slice(0, 50000)
+arrays, mine = {"who": who}, slice(0, len(who))
 self.GetOutput().GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
 """
 
@@ -187,7 +187,7 @@ def many(checks, view):
     shown = shown_in(view, session.points_of_ranks(MANY, step_velocity.INFORMATION % ([0.0, 1.0, 2.0], 0.0, 2.0)), 2)
     view.ViewTime = 2.0
     pv.Render(view)
-    there = [set(numpy.random.default_rng(time).permutation(60000)[:50000].tolist()) for time in range(3)]
+    there = [set(numpy.random.default_rng(time).permutation(60000)[:40000 + 5000 * time].tolist()) for time in range(3)]
     wrong = [who for who, line in delivered(shown) if len(line) != (1 if who not in there[1] else 2 if who not in there[0] else 3) or
              not numpy.allclose(line, [(who / 60000.0, 0.01 * (2 - i)) for i in range(len(line))], atol=1e-6)]
     checks.equal("many points: wrong trails", (wrong, len(delivered(shown))), ([], 50000))
