@@ -170,13 +170,14 @@ struct SweptPoint
   DoubleWord3 gradient;   // half that of F: right only where it is wanted
 };
 
-// Where the ray enters or leaves the sweep.
-RTG_FN bool MeetSweep(const SweptRay swept, const real side, const bool wantsNormal, RTG_OUT(SweptPoint) point)
+// Where the ray enters or leaves the sweep. `enough`: an error of its parameter that is none, 0 where the normal is
+// wanted.
+RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, RTG_OUT(SweptPoint) point)
 {
   real3 d = swept.ray.direction.hi;
   real3 way = swept.way.hi;
   real3 growth = swept.growth.hi;
-  // From where the ray passes the axis, and again from next to the crossing where that is far.
+  // From where the ray passes the axis.
   real dd = dot(d, d);
   real dw = dot(d, way);
   real ww = dot(way, way);
@@ -186,62 +187,92 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const bool wantsNor
   at = clamp(at, real(-1.0), real(1.0));
   LocalRay near = swept.ray;
   DoubleWord height = Word(real(0.0));
-  DoubleWord3 weights = Word3(real3(1.0));
-  real a = dd;
-  real depth = real(0.0);
+  DoubleWord low = Word(real(-1.0));
+  DoubleWord high = Word(real(1.0));
+  bool lowIsEnd = true;
+  bool highIsEnd = true;
+  DoubleWord3 gradient = near.origin;
   bool met = false;
+  real last = real(RTG_NEVER);
   int step = RTG_APPROACH;
-  int polishes = 6;
-  real scale = real(1.0) + length(way);
-  for (int pass = 0; pass < 17 && step != RTG_DONE; ++pass)
+  for (int pass = 0; pass < 60 && step != RTG_DONE; ++pass)
   {
     if (step == RTG_SEARCH)
     {
       at = HeightOfCrossing(near.origin.hi, d, way, growth, height.hi, side);
     }
     height = Add(height, at);
-    DoubleWord start = near.start;
     near.origin = Subtract(near.origin, Multiply(swept.way, real3(at)));
     DoubleWord3 squares = Add(Multiply(swept.growth, Word3(height)), real3(1.0));
     squares.hi = max(squares.hi, real3(RTG_LEAST_SQUARE));
-    weights = Divide(Word3(real3(1.0)), squares);
-    a = dot(weights.hi * d, d);
-    near = Advance(near, -dot(weights.hi * near.origin.hi, d) / a);
-    real b = dot(weights.hi * near.origin.hi, d);
-    depth = SweptDepth(near.origin, weights);
+    DoubleWord3 weights = Divide(Word3(real3(1.0)), squares);
+    real3 dWeighted = weights.hi * d;
+    real a = dot(dWeighted, d);
+    near = Advance(near, -dot(dWeighted, near.origin.hi) / a);
+    real b = dot(dWeighted, near.origin.hi);
+    real depth = SweptDepth(near.origin, weights);
     real discriminant = b * b + a * depth;
     // The height that rounding changes may be one that the ray just misses.
     met = discriminant >= real(-64.0 * RTG_ROUNDOFF) * a;
     near = Advance(near, (side * sqrt(max(discriminant, real(0.0))) - b) / a);
-
-    // From there plain numbers see the ellipsoid without cancellation.
-    real moved = Subtract(near.start, start).hi;
-    bool found = step == RTG_POLISH || (step == RTG_SEARCH && (pass == 9 || moved * moved * a < real(16.0)));
-    // An error of the height moves the crossing by its square only, but for grazing rays, and the normal by itself.
-    bool grazes = abs(discriminant) < real(1.0e-5) * a;
-    bool settled = polishes == 0 || !(wantsNormal || grazes) || !(abs(height.hi) < real(1.0)) ||
-      (step == RTG_POLISH && abs(at) * scale < real(0.01 * RTG_ROUNDOFF));
-    if (found)
+    if (step == RTG_APPROACH)
+    {
+      step = RTG_SEARCH;
+    }
+    else
     {
       // One Newton step, away from the silhouette.
-      b = dot(weights.hi * near.origin.hi, d);
+      b = dot(dWeighted, near.origin.hi);
       depth = SweptDepth(near.origin, weights);
       near = Advance(near, real(64.0) * a * abs(depth) < b * b ? depth / (real(2.0) * b) : real(0.0));
-    }
-    step = !found ? RTG_SEARCH : settled ? RTG_DONE : RTG_POLISH;
-    if (step == RTG_POLISH)
-    {
-      // Newton's method: MeetOneOfSweep() at a point of the ellipsoid, in double words where plain numbers cancel.
-      DoubleWord3 gradient = Multiply(near.origin, weights);
-      real3 motion = way + growth * gradient.hi;
-      real rate = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
+      depth = SweptDepth(near.origin, weights);
+
+      // -dF / da and half dF / ds, in double words where plain numbers cancel.
+      gradient = Multiply(near.origin, weights);
+      real fall = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
       real rise = SumOf(Multiply(gradient, near.direction)).hi;
-      real bend = real(2.0) * dot(weights.hi * motion, motion) - dot(weights.hi * d, motion) * rate / rise;
-      at = bend > real(0.0) && abs(rate) * scale < real(0.01) * bend ? rate / bend : real(0.0);
-      --polishes;
+      lowIsEnd = lowIsEnd && !(fall > real(0.0));
+      highIsEnd = highIsEnd && fall > real(0.0);
+      if (fall > real(0.0))
+      {
+        low = height;
+      }
+      else
+      {
+        high = height;
+      }
+      real toLow = Subtract(low, height).hi;
+      real toHigh = Subtract(high, height).hi;
+
+      // The quadric that F is next to the point, least in height: c + 2 b s + a s^2.
+      real3 motion = way + growth * gradient.hi;
+      real bend = dot(weights.hi * motion, motion);
+      real mixed = dot(dWeighted, motion);
+      real3 halves = sqrt(weights.hi);
+      real3 across = cross(halves * d, halves * motion);
+      real aLeast = max(dot(across, across) / bend, real(RTG_ROUNDOFF * RTG_ROUNDOFF) * a);
+      real bLeast = rise - real(0.5) * fall * mixed / bend;
+      real cLeast = -depth - real(0.25) * fall * fall / bend;
+      real root = side * sqrt(max(bLeast * bLeast - aLeast * cLeast, real(0.0)));
+      real s = side * bLeast > real(0.0) ? -cLeast / (root + bLeast) : (root - bLeast) / aLeast;
+      at = real(0.5) * fall / bend + mixed / bend * s;
+
+      real moved = abs(at) * sqrt(bend);
+      real reach = toHigh - toLow;
+      bool beside = depth + abs(fall) * reach < real(-64.0 * RTG_ROUNDOFF) * (real(1.0) + sqrt(bend) * reach);
+      bool settled = moved < real(0.01 * RTG_ROUNDOFF) || (moved < real(1.0e-4) && moved > real(0.25) * last) ||
+        (met && abs(s) < enough) || !(reach > real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF)) || (!met && beside);
+      // A bisection where that leaves the bracket, or steps do not halve.
+      real middle = real(0.5) * (toLow + toHigh);
+      real wanted = at;
+      at = moved < real(0.5) * last ? wanted : middle;
+      at = wanted > toLow ? at : (lowIsEnd ? toLow : middle);
+      at = wanted < toHigh ? at : (highIsEnd ? toHigh : middle);
+      last = abs(at) * sqrt(bend);
+      step = settled ? RTG_DONE : RTG_POLISH;
     }
   }
-  point = SweptPoint(near.start.hi, height, near.origin, Multiply(near.origin, weights));
+  point = SweptPoint(near.start.hi, height, near.origin, gradient);
   return met;
 }
 
@@ -341,10 +372,12 @@ RTG_FN bool IntersectSweptEllipsoid(const GlyphRay ray, const Glyph glyph, const
   if (ToSwept(ray, glyph, swept))
   {
     bool met = true;
+    real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
+    real enough = real(RTG_ROUNDOFF) * largest / length(ray.direction);
     for (int side = RTG_ENTRY; side <= RTG_EXIT && met && !found; side += RTG_EXIT - RTG_ENTRY)
     {
       SweptPoint point;
-      met = MeetSweep(swept, real(side), wantsNormal, point);
+      met = MeetSweep(swept, real(side), wantsNormal ? real(0.0) : enough, point);
       found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
       t = point.t;
       if (found && wantsNormal)

@@ -296,7 +296,7 @@ private:
     return SymmetricTensor::Of(axes * squares * glm::transpose(axes));
   }
 
-  /// Stores a sweep next to a center. Thin ones are needles of up to 1 : 30, or flat: in one plane, or not.
+  /// Stores a sweep next to a center. Thin ones are needles, or flat: in one plane, or not.
   void StoreSweep(GlyphInstances& instances, std::size_t index, double size, double ratio, bool turned)
   {
     const auto axes = [&]
@@ -305,7 +305,6 @@ private:
       return glm::mat3_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
     };
     const bool thin = ratio > 1, needle = thin && this->Choice(2) == 0;
-    ratio = std::min(ratio, 30.0);
     Vec least(needle ? 0.3 * size / ratio : 0.1 * size), most(needle ? size / ratio : 0.3 * size);
     if (thin && !needle)
     {

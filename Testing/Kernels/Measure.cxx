@@ -122,7 +122,7 @@ Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact
   {
     const double width = SilhouetteWidth(glyph, ray, exact.size());
     verdict.nearSilhouette = width <= band;
-    const bool nothing = grazes || width <= (glyph.IsSweep() ? band : bandOfT);
+    const bool nothing = grazes || width <= bandOfT;
     const bool noNormal = nothing || (wrongNormal && width <= band);
     verdict.excused = nothing || noNormal;
     verdict.bothHit = !nothing;

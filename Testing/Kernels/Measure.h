@@ -29,7 +29,7 @@ constexpr double band = 1e-5;
 /// double it shrinks with the roundoff). Double words resolve the surface to about 5 u^2 = 2e-14 glyph
 /// sizes, which is 1e-6 sizes along a ray at 2e-8 radians; such a ray stays within 2e-8 glyph sizes of
 /// that surface all along the glyph.
-constexpr double bandOfT = 1e-9; // of swept ellipsoids `band`, as their height is found in plain numbers first
+constexpr double bandOfT = 1e-9;
 constexpr double grazingAngle = 2e-8;
 
 /// Normals are compared where the nearest edge or apex is at least this far away in the unit form, and also

@@ -40,7 +40,6 @@ public:
   /// The largest full extent of the glyph along its own axes, in world units; an arrow's length counts whole.
   double Size() const { return this->size_; }
   bool IsPolynomial() const { return this->shape_ == Shape::Polynomial; }
-  bool IsSweep() const { return this->shape_ == Shape::SweptEllipsoid; }
 
   /// All crossings of the whole line, in order; those that coincide are one.
   /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
