@@ -254,7 +254,7 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       real bLeast = rise - real(0.5) * fall * mixed / bend;
       real cLeast = -depth - real(0.25) * fall * fall / bend;
       real root = side * sqrt(max(bLeast * bLeast - aLeast * cLeast, real(0.0)));
-      real s = side * bLeast > real(0.0) ? -cLeast / (root + bLeast) : (root - bLeast) / aLeast;
+      real s = side * bLeast > real(0.0) && root != real(0.0) ? -cLeast / (root + bLeast) : (root - bLeast) / aLeast;
       at = real(0.5) * fall / bend + mixed / bend * s;
 
       real moved = abs(at) * sqrt(bend);
