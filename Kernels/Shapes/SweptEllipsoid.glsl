@@ -260,8 +260,10 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       real moved = abs(at) * sqrt(bend);
       real reach = toHigh - toLow;
       bool beside = depth + abs(fall) * reach < real(-64.0 * RTG_ROUNDOFF) * (real(1.0) + sqrt(bend) * reach);
-      bool settled = moved < real(0.01 * RTG_ROUNDOFF) || (moved < real(1.0e-4) && moved > real(0.25) * last) ||
-        (met && abs(s) < enough) || !(reach > real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF)) || (!met && beside);
+      // Within rounding, steps lead out of the bracket or do not become shorter.
+      bool rounded = moved < real(16.0 * RTG_ROUNDOFF) && !(at > toLow && at < toHigh && moved < real(0.25) * last);
+      bool settled = rounded || moved < real(0.01 * RTG_ROUNDOFF) || (met && abs(s) < enough) || (!met && beside) ||
+        !(reach > real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF));
       // A bisection where that leaves the bracket, or steps do not halve.
       real middle = real(0.5) * (toLow + toHigh);
       real wanted = at;
