@@ -201,8 +201,11 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
     {
       at = HeightOfCrossing(near.origin.hi, d, way, growth, height.hi, side);
     }
-    height = Add(height, at);
-    near.origin = Subtract(near.origin, Multiply(swept.way, real3(at)));
+    DoubleWord toLow = Subtract(low, height);
+    DoubleWord toHigh = Subtract(high, height);
+    DoubleWord climb = at > toLow.hi ? (at < toHigh.hi ? Word(at) : toHigh) : toLow;
+    height = Add(height, climb);
+    near.origin = Subtract(near.origin, Multiply(swept.way, Word3(climb)));
     DoubleWord3 squares = Add(Multiply(swept.growth, Word3(height)), real3(1.0));
     squares.hi = max(squares.hi, real3(RTG_LEAST_SQUARE));
     DoubleWord3 weights = Divide(Word3(real3(1.0)), squares);
@@ -241,8 +244,8 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       {
         high = height;
       }
-      real toLow = Subtract(low, height).hi;
-      real toHigh = Subtract(high, height).hi;
+      toLow = Subtract(low, height);
+      toHigh = Subtract(high, height);
 
       // The quadric that F is next to the point, least in height: c + 2 b s + a s^2.
       real3 motion = way + growth * gradient.hi;
@@ -258,18 +261,18 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       at = real(0.5) * fall / bend + mixed / bend * s;
 
       real moved = abs(at) * sqrt(bend);
-      real reach = toHigh - toLow;
+      real reach = toHigh.hi - toLow.hi;
       bool beside = depth + abs(fall) * reach < real(-64.0 * RTG_ROUNDOFF) * (real(1.0) + sqrt(bend) * reach);
       // Within rounding, steps lead out of the bracket or do not become shorter.
-      bool rounded = moved < real(16.0 * RTG_ROUNDOFF) && !(at > toLow && at < toHigh && moved < real(0.25) * last);
+      bool rounded = moved < real(16.0 * RTG_ROUNDOFF) && !(at > toLow.hi && at < toHigh.hi && moved < real(0.25) * last);
       bool settled = rounded || moved < real(0.01 * RTG_ROUNDOFF) || (met && abs(s) < enough) || (!met && beside) ||
         !(reach > real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF));
       // A bisection where that leaves the bracket, or steps do not halve.
-      real middle = real(0.5) * (toLow + toHigh);
+      real middle = real(0.5) * (toLow.hi + toHigh.hi);
       real wanted = at;
       at = moved < real(0.5) * last ? wanted : middle;
-      at = wanted > toLow ? at : (lowIsEnd ? toLow : middle);
-      at = wanted < toHigh ? at : (highIsEnd ? toHigh : middle);
+      at = wanted > toLow.hi ? at : (lowIsEnd ? toLow.hi : middle);
+      at = wanted < toHigh.hi ? at : (highIsEnd ? toHigh.hi : middle);
       last = abs(at) * sqrt(bend);
       step = settled ? RTG_DONE : RTG_POLISH;
     }
