@@ -234,9 +234,13 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       gradient = Multiply(near.origin, weights);
       real fall = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
       real rise = SumOf(Multiply(gradient, near.direction)).hi;
-      lowIsEnd = lowIsEnd && !(fall > real(0.0));
-      highIsEnd = highIsEnd && fall > real(0.0);
-      if (fall > real(0.0))
+      real3 motion = way + growth * gradient.hi;
+      real mixed = dot(dWeighted, motion);
+      // Where the line is nearest, if it misses.
+      bool higher = (discriminant > real(0.0) ? fall : fall - real(2.0) * mixed * rise / a) > real(0.0);
+      lowIsEnd = lowIsEnd && !higher;
+      highIsEnd = highIsEnd && higher;
+      if (higher)
       {
         low = height;
       }
@@ -248,9 +252,7 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       toHigh = Subtract(high, height);
 
       // The quadric that F is next to the point, least in height: c + 2 b s + a s^2.
-      real3 motion = way + growth * gradient.hi;
       real bend = dot(weights.hi * motion, motion);
-      real mixed = dot(dWeighted, motion);
       real3 halves = sqrt(weights.hi);
       real3 across = cross(halves * d, halves * motion);
       real aLeast = max(dot(across, across) / bend, real(RTG_ROUNDOFF * RTG_ROUNDOFF) * a);
