@@ -266,7 +266,8 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
       real reach = toHigh.hi - toLow.hi;
       bool beside = depth + abs(fall) * reach < real(-64.0 * RTG_ROUNDOFF) * (real(1.0) + sqrt(bend) * reach);
       // Within rounding, steps lead out of the bracket or do not become shorter.
-      bool rounded = moved < real(16.0 * RTG_ROUNDOFF) && !(at > toLow.hi && at < toHigh.hi && moved < real(0.25) * last);
+      bool rounded =
+        moved < real(16.0 * RTG_ROUNDOFF) && !(at > toLow.hi && at < toHigh.hi && moved < real(0.25) * last);
       bool settled = rounded || moved < real(0.01 * RTG_ROUNDOFF) || (met && abs(s) < enough) || (!met && beside) ||
         !(reach > real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF));
       // A bisection where that leaves the bracket, or steps do not halve.

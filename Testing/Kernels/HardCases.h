@@ -296,7 +296,8 @@ private:
     return SymmetricTensor::Of(axes * squares * glm::transpose(axes));
   }
 
-  /// Stores a sweep next to a center. Thin ones are needles, or flat: in one plane, or not.
+  /// Stores a sweep next to a center. Thin ones are needles, or flat, which StoreSweep() limits to 1 : 1e3: in one
+  /// plane, or not.
   void StoreSweep(GlyphInstances& instances, std::size_t index, double size, double ratio, bool turned)
   {
     const auto axes = [&]

@@ -185,6 +185,21 @@ TYPED_TEST(SweptEllipsoidTest, CrossingsAreRight)
   }
 }
 
+/// A plain ray, whose t differed with and without a normal so much that the normal was that of where it leaves.
+TEST(SweptEllipsoidNormalTest, BelongsToTheSameCrossing)
+{
+  using namespace rtg::testing;
+  const std::vector<Subject> subjects = HardSubjects();
+  const auto sweep = std::find_if(subjects.begin(), subjects.end(),
+    [](const Subject& subject) { return subject.shape == rtg::Shape::SweptEllipsoid; });
+  HardCase hard = HardCaseMaker(*sweep, 8, 60, 33).Case("plain");
+  hard.rays = { hard.rays[38] };
+  ReferenceCase reference(std::move(hard));
+  const CaseReport report = Summarise(JudgeKernel<float>(reference));
+  EXPECT_EQ(report.compared, 1u);
+  EXPECT_EQ(report.normalsOutOfBound, 0u) << report.maxRadians << " radians";
+}
+
 /// Both ends are the given ellipsoids, and bounds touch the sweep.
 TYPED_TEST(SweptEllipsoidTest, IsWhatWasGiven)
 {
