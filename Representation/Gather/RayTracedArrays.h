@@ -54,9 +54,10 @@ constexpr vtkTypeInt64 EncodeCellId(vtkTypeInt64 id)
 {
   return id + CellIdOffset;
 }
-constexpr vtkTypeInt64 DecodeCellId(vtkTypeInt64 id)
+/// Of the point, or of the cell.
+constexpr vtkTypeInt64 InputId(vtkTypeInt64 id)
 {
-  return id - CellIdOffset;
+  return IsCellId(id) ? id - CellIdOffset : id;
 }
 ///@}
 

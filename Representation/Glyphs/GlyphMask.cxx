@@ -194,8 +194,7 @@ std::vector<vtkIdType> rtglyphs::GlyphMask::Choose(vtkPolyData* points, std::vec
   const auto number = [ids](vtkIdType point)
   {
     const vtkTypeInt64 id = ids ? static_cast<vtkTypeInt64>(ids->GetComponent(point, 0)) : point;
-    return static_cast<std::uint64_t>(
-      rtglyphs::RayTracedArrays::IsCellId(id) ? rtglyphs::RayTracedArrays::DecodeCellId(id) : id);
+    return static_cast<std::uint64_t>(rtglyphs::RayTracedArrays::InputId(id));
   };
   if (this->Mode == EVERY_NTH)
   {

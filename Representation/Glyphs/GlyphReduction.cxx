@@ -243,6 +243,10 @@ private:
     std::vector<std::uint32_t> groups;
     std::vector<float> areas;
     const std::size_t number = this->FindGroups(block, groups, areas);
+    if (number == 0)
+    {
+      return false;
+    }
     for (vtkDataArray* array : averaged)
     {
       sums.Width += static_cast<std::size_t>(array->GetNumberOfComponents());
@@ -309,7 +313,7 @@ private:
           first = last;
         }
       });
-    return number > 0;
+    return true;
   }
 
   static vtkSmartPointer<vtkDoubleArray> NewArray(const char* name, int components, vtkIdType count)

@@ -337,7 +337,6 @@ private:
   void Show(vtkDataObject* data, Shown& shown);
   rtg::PeriodicImages MakeImages(vtkDataObject* points, vtkDataObject* data, bool together);
   const double* GetBounds(vtkPolyData* points, Shown& shown);
-  vtkDataObject* Reduce(vtkDataObject* data, double resolution);
 
   // The render side
   vtkPVRenderView* GetRenderView();

@@ -85,8 +85,7 @@ std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
     }
     // Sets are numbered in the order in which they came.
     representations->SetValue(i, hit ? static_cast<int>(std::distance(mappers.begin(), source)) : -1);
-    const bool ofCell = rtglyphs::RayTracedArrays::IsCellId(origin.Id);
-    ids->SetValue(i, ofCell ? rtglyphs::RayTracedArrays::DecodeCellId(origin.Id) : origin.Id);
+    ids->SetValue(i, rtglyphs::RayTracedArrays::InputId(origin.Id));
     blocks->SetValue(i, static_cast<int>(origin.CompositeIndex));
   }
 

@@ -5,6 +5,7 @@
 #include "GlyphJoinedArrays.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
+#include "RayTracedDefault.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkSMInputArrayDomain.h"
@@ -241,7 +242,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   auto* colored = vtkSMPVRepresentationProxy::SafeDownCast(display);
   // Scripts of 3D Glyphs, which say nothing of colors, have the same picture with ray-traced glyphs.
-  const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
+  const bool window = rtglyphs::RayTracedDefault::IsInWindow(display);
   if (this->Wanted && window)
   {
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);

@@ -139,6 +139,10 @@ public:
 
   bool Renew(Where where) override
   {
+    if (!this->IsChosen() || FromDataOf(this))
+    {
+      return false;
+    }
     const bool isArray = vtkSMStringVectorProperty::SafeDownCast(this);
     auto* list = this->template FindDomain<vtkSMRayTracedArrayListDomain>();
     const bool lost = where == Where::Lost && isArray &&
@@ -151,8 +155,7 @@ public:
       return isArray ? strcmp(value.GetAsString(), "None") == 0
                      : vtkSMIntVectorProperty::SafeDownCast(this) && value.GetAsInt() == 0;
     };
-    const bool missing = !this->Found || isNone();
-    if (!this->IsChosen() || FromDataOf(this) || !(where == Where::Everywhere || lost || missing))
+    if (where != Where::Everywhere && !lost && this->Found && !isNone())
     {
       return false;
     }
@@ -224,6 +227,12 @@ void rtglyphs::RayTracedDefault::Register()
     return true;
   }();
   static_cast<void>(known);
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedDefault::IsInWindow(vtkSMProxy* display)
+{
+  return vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
 }
 
 //----------------------------------------------------------------------------

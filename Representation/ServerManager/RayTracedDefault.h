@@ -33,6 +33,11 @@ enum class Where
 };
 
 /**
+ * Whether a display is one of ParaView's window; scripts set what they need.
+ */
+bool IsInWindow(vtkSMProxy* display);
+
+/**
  * Whether the domains of a property would choose its present value.
  */
 bool IsOfDomains(vtkSMProperty* property);

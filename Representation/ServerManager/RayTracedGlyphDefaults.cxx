@@ -77,12 +77,6 @@ vtkSMRayTracedArrayListDomain* ListOf(vtkSMProxy* glyphs, const char* property)
   return glyphs->GetProperty(property)->FindDomain<vtkSMRayTracedArrayListDomain>();
 }
 
-// Scripts set what they need.
-bool IsInWindow(vtkSMProxy* glyphs)
-{
-  return vtkSMPropertyHelper(glyphs->GetTrueParentProxy(), "SamplesPerRender").GetAsInt() < 0;
-}
-
 bool HasPeriodicBox(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input");
@@ -405,7 +399,7 @@ bool rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(vtkSMProxy* display)
 void rtglyphs::RayTracedGlyphDefaults::ChooseTubes(vtkSMProxy* display)
 {
   if (!Shows(display, "Ray Traced Tubes") || !std::exchange(this->TubesWanted, false) ||
-    vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() >= 0)
+    !rtglyphs::RayTracedDefault::IsInWindow(display))
   {
     return;
   }
@@ -545,7 +539,8 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseShape(vtkSMProxy* glyphs)
     : !tensors                                                 ? Shapes::SPHERICAL_HARMONICS
     : tensors.IsNegative                                       ? Shapes::SIGNED_TENSOR_SUPERQUADRIC
                                                                : Shapes::TENSOR_ELLIPSOID;
-  if (shape != Shapes::GLYPH_TYPE && !this->Chosen.count("GlyphShape") && IsInWindow(glyphs) &&
+  if (shape != Shapes::GLYPH_TYPE && !this->Chosen.count("GlyphShape") &&
+    rtglyphs::RayTracedDefault::IsInWindow(glyphs->GetTrueParentProxy()) &&
     vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == Shapes::GLYPH_TYPE &&
     !rtglyphs::GlyphArrayRoles::IsSize(scales->ChooseFor(rtglyphs::GlyphArrayRoles::SIZE, scales->Listed()).Name))
   {
@@ -562,7 +557,7 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseShape(vtkSMProxy* glyphs)
 void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
 {
   auto* list = ListOf(glyphs, "SelectScaleArray");
-  if (this->Chosen.count("ScaleMode") || !list || !IsInWindow(glyphs))
+  if (this->Chosen.count("ScaleMode") || !list || !rtglyphs::RayTracedDefault::IsInWindow(glyphs->GetTrueParentProxy()))
   {
     return;
   }

@@ -3,6 +3,7 @@
 #include "DataSummary.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
+#include "RayTracedDefault.h"
 #include "RayTracedGlyphDefaults.h"
 #include "vtkNew.h"
 #include "vtkRayTracedRepresentation.h"
@@ -94,7 +95,7 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
   }
   // Of what the data have chosen ParaView's window shows bars, scripts do it themselves.
   const bool shows = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() == 0 ||
-    vtkSMPropertyHelper(glyphs->GetTrueParentProxy(), "SamplesPerRender").GetAsInt() < 0;
+    rtglyphs::RayTracedDefault::IsInWindow(glyphs->GetTrueParentProxy());
   if (vtkSMProxy* bar = fresh && shows ? barOf(name) : nullptr)
   {
     vtkSMPropertyHelper(bar, "Title").Set(name.c_str());

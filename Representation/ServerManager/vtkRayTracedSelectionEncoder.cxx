@@ -47,8 +47,7 @@ bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     const vtkIdType id = ids->GetValue(i);
-    const bool marked = rtglyphs::RayTracedArrays::IsCellId(id);
-    (marked ? taken : kept)->InsertNextValue(marked ? rtglyphs::RayTracedArrays::DecodeCellId(id) : id);
+    (rtglyphs::RayTracedArrays::IsCellId(id) ? taken : kept)->InsertNextValue(rtglyphs::RayTracedArrays::InputId(id));
   }
   if (taken->GetNumberOfValues() == 0)
   {

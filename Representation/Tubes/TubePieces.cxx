@@ -12,14 +12,15 @@
 
 namespace
 {
-template <class Ball>
+using Ball = rtglyphs::TubePieces::Ball;
+using Balls = rtglyphs::TubePieces::Balls;
+
 bool IsBad(const Ball& ball)
 {
   return ball.Radius < 0.0;
 }
 
 // Whether the balls between two are those of the tube between these.
-template <class Ball>
 bool IsStraight(const Ball* first, const Ball* last)
 {
   constexpr double longest = 0.25, tolerance = 1e-3; // in radii
@@ -38,7 +39,6 @@ bool IsStraight(const Ball* first, const Ball* last)
 
 // Leaves out balls of which the tube through their neighbors shows nothing: a ray meets all balls of a tube whose
 // pieces are much shorter than its radius.
-template <class Balls>
 void Thin(Balls& balls)
 {
   std::size_t kept = 0;
@@ -57,7 +57,6 @@ void Thin(Balls& balls)
 }
 
 // Leaves out the balls that would stick out of a flat end of what lies between bad ones.
-template <class Balls>
 void StraightenEnds(Balls& balls)
 {
   Balls trimmed, run;
@@ -65,7 +64,7 @@ void StraightenEnds(Balls& balls)
   {
     if (run.size() > 2)
     {
-      const auto sticksOut = [](const auto& ball, const auto& end)
+      const auto sticksOut = [](const Ball& ball, const Ball& end)
       { return glm::distance(ball.Place, end.Place) < ball.Radius; };
       std::size_t first = 1, last = run.size() - 1;
       while (first < last && sticksOut(run[first], run.front()))
@@ -82,7 +81,7 @@ void StraightenEnds(Balls& balls)
     trimmed.insert(trimmed.end(), run.begin(), run.end());
     run.clear();
   };
-  for (const auto& ball : balls)
+  for (const Ball& ball : balls)
   {
     if (IsBad(ball))
     {

@@ -24,9 +24,6 @@ namespace rtglyphs
 class TubePieces
 {
 public:
-  virtual ~TubePieces() = default;
-
-protected:
   struct Ball
   {
     glm::dvec3 Place; // in the world; of pieces relative to the middle of all
@@ -41,6 +38,9 @@ protected:
     const Ball *First, *Last, *Before, *After; // the latter two null at ends of the line
   };
 
+  virtual ~TubePieces() = default;
+
+protected:
   /**
    * `modelToWorld` may be null.
    */
