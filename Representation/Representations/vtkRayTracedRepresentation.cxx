@@ -1,19 +1,15 @@
 #include "vtkRayTracedRepresentation.h"
 
 #include "GlyphJoinedArrays.h"
-#include "Glyphs.h"
-#include "Tracer.h"
 #include "RayTracedArrays.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
@@ -22,13 +18,8 @@
 #include "vtkPolyData.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
-
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper.h"
-#endif
 
 #include <algorithm>
 #include <new>
@@ -44,18 +35,6 @@ enum Ports
   SELECTION_PORT = 2,
   PORTS
 };
-
-// ParaView says so to subclasses of its views only.
-struct ScreenshotState : vtkPVRenderView
-{
-  static bool Of(vtkPVView* view) { return (view->*(&ScreenshotState::GetInCaptureScreenshot))(); }
-};
-}
-
-//----------------------------------------------------------------------------
-vtkRayTracedRepresentation::Shown::Shown(rtglyphs::RayTracedBlocks& blocks)
-  : Blocks(blocks)
-{
 }
 
 //----------------------------------------------------------------------------
@@ -64,8 +43,10 @@ vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   , Surface(this->Common)
   , Tubes(this->Common)
   , Content(&this->Glyphs)
-  , All(this->Common.Blocks)
-  , Reduced(this->Common.Reduced)
+  , Rendering({ this, this->Actor, this->Mapper,
+                [this](vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data)
+                { this->PopulateBlockAttributes(attributes, data); } },
+      this->Common)
 {
   this->SetNumberOfInputPorts(PORTS);
   this->RequestGhostCellsIfNeeded = false;
@@ -90,7 +71,7 @@ void vtkRayTracedRepresentation::SetRepresentation(const char* name)
   }
   if (content != this->Content)
   {
-    this->RemoveParts();
+    this->Rendering.Remove(*this->Content);
     this->Content->Show(false);
     this->Content = content;
     this->Content->Show(this->GetVisibility());
@@ -148,7 +129,7 @@ int vtkRayTracedRepresentation::RequestData(
         const vtkSmartPointer<vtkDataObject> made = this->Gather(input, wholeExtent);
         again = this->Content->HasTrails() &&
           this->Common.Time.AddTrails(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
-            [&] { return this->MakeImages(made, input, /*together=*/true); });
+            [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
         if (again)
         {
           return;
@@ -243,13 +224,6 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-// Those of everything shown of gathered or delivered points, before the actor's transform.
-const double* vtkRayTracedRepresentation::GetBounds(vtkPolyData* points, Shown& shown)
-{
-  return shown.Bounds.Get(points, this->Content->GetAllSizes(points), shown.Blocks.GetHidden());
-}
-
-//----------------------------------------------------------------------------
 rtglyphs::RayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char* what)
 {
   return [this, what](double share)
@@ -289,7 +263,7 @@ int vtkRayTracedRepresentation::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int port)
 {
-  return port == 0 ? this->Piece : this->PieceLOD;
+  return port == 0 ? this->Piece.Get() : this->Rendering.GetReduced();
 }
 
 //----------------------------------------------------------------------------
@@ -299,12 +273,12 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   // The superclass would fill attributes of blocks for its mapper and for bounds, neither of which is used.
   if (std::exchange(this->BlockAttrChanged, false))
   {
-    this->All.Data = this->Reduced.Data = nullptr;
+    this->Rendering.ForgetBlocks();
   }
   this->BlockAttributeTime.Modified();
   this->VisibleDataBoundsTime.Modified();
-  const bool together =
-    request == vtkPVView::REQUEST_UPDATE() || (request == vtkPVView::REQUEST_RENDER() && this->IsCollective(inInfo));
+  const bool together = request == vtkPVView::REQUEST_UPDATE() ||
+    (request == vtkPVView::REQUEST_RENDER() && this->Rendering.IsCollective(inInfo));
   bool visible = false;
   const bool good = this->WithinMemory(
     [&]
@@ -355,16 +329,6 @@ bool vtkRayTracedRepresentation::WithinMemory(const std::function<void()>& work,
 }
 
 //----------------------------------------------------------------------------
-// Whether all ranks render together.
-bool vtkRayTracedRepresentation::IsCollective(vtkInformation* inInfo)
-{
-  vtkPVRenderView* view = this->GetRenderView();
-  return view &&
-    (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
-                                             : view->GetUseDistributedRenderingForRender());
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo)
 {
   if (request == vtkPVView::REQUEST_UPDATE())
@@ -373,7 +337,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     this->Piece = vtkPVView::GetPiece(inInfo, this);
     vtkNew<vtkPolyData> nothing; // of an input that has failed, as a source of a state file may
-    this->Show(this->Piece ? this->Piece.Get() : nothing.Get(), this->All);
+    this->Rendering.Show(this->Piece ? this->Piece.Get() : nothing.Get());
     this->Content->Deliver(inInfo, this, /*lod=*/false);
     vtkPolyData* points = this->Common.Blocks.GetPoints();
     if (this->Common.HasData)
@@ -381,18 +345,8 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
       this->Common.Time.UpdateShutterTime(
         points, [&](double& unitSize) { return this->Content->GetSizes(points, unitSize); }, this->GetUpdateTime());
     }
-    double bounds[6];
-    std::copy_n(this->GetBounds(points, this->All), 6, bounds);
-    rtglyphs::ExtendBounds(this->MakeImages(points, this->Piece, /*together=*/true), bounds);
-    rtglyphs::RayTracedParts& parts = this->Common.Parts;
-    parts.Follow(this->Actor);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, parts.Actor->GetMatrix());
-    if (parts.Mapper)
-    {
-      // The clipping range takes those of actors, too: old ones that were larger would hold until the next update.
-      this->SetPartBounds(bounds);
-    }
-    vtkRayTracedScene* scene = this->GetScene();
+    this->Rendering.UpdateBounds(*this->Content, inInfo, this->Piece);
+    vtkRayTracedScene* scene = this->Rendering.GetScene();
     const bool replicated = scene && scene->GetSettings().IsReplicated();
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, replicated);
     if (replicated)
@@ -406,74 +360,13 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     vtkPVRenderView::SetPieceLOD(inInfo, this, this->Piece);
     this->Content->Deliver(inInfo, this, /*lod=*/true);
   }
-  else if (request == vtkPVView::REQUEST_RENDER())
+  else if (request == vtkPVView::REQUEST_RENDER() && this->Rendering.GetView())
   {
-    if (vtkPVRenderView* view = this->GetRenderView())
-    {
-      this->Render(view, inInfo);
-    }
+    this->Rendering.Render(*this->Content, inInfo, this->Piece, this->NeedsOrderedCompositing());
+    const rtglyphs::GlyphBounds& bounds = this->Rendering.GetBounds();
+    this->Common.Parts.Mapper->SetDataStatistics(
+      { this->GetUniqueIdentifier(), this->Gathers, bounds.GetBuilds(), this->GatherSeconds, bounds.GetSeconds() });
   }
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::Show(vtkDataObject* data, Shown& shown)
-{
-  const vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (!shown.Data || data != shown.Data || time != shown.Time)
-  {
-    this->PopulateBlockAttributes(shown.Attributes, data);
-    shown.Attributes->Modified();
-    shown.Data = data;
-    shown.Time = time;
-  }
-  rtglyphs::RayTracedBlocks::Attributes common;
-  rtglyphs::RayTracedBlocks::Coloring& scalars = common.Scalars;
-  scalars.On = this->Mapper->GetScalarVisibility() != 0;
-  if (scalars.On)
-  {
-    scalars.Array = OrEmpty(this->Mapper->GetArrayName());
-    scalars.Table = this->Mapper->GetLookupTable(); // a mapper without one makes one
-  }
-  scalars.ScalarMode = this->Mapper->GetScalarMode();
-  scalars.ColorMode = this->Mapper->GetColorMode();
-  scalars.InterpolatesScalars = this->Mapper->GetInterpolateScalarsBeforeMapping();
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
-  scalars.MissingIsNan = composite && composite->GetColorMissingArraysWithNanColor();
-#endif
-  shown.Blocks.Update(data, shown.Attributes, common);
-}
-
-//----------------------------------------------------------------------------
-// A problem with properties, or none, unless it is the one that was last reported.
-void vtkRayTracedRepresentation::ReportAnew(const std::string& problem, std::string& reported)
-{
-  if (problem != std::exchange(reported, problem) && !problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-  }
-}
-
-//----------------------------------------------------------------------------
-rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkDataObject* points, vtkDataObject* data, bool together)
-{
-  std::string problem;
-  const rtg::PeriodicImages images = this->Periodic.Make(points, data, together, problem);
-  if (this->Periodic.Boundary)
-  {
-    this->ReportAnew(problem, this->PeriodicProblem);
-  }
-  return images;
-}
-
-//****************************************************************************
-// The render side
-//****************************************************************************
-
-//----------------------------------------------------------------------------
-vtkPVRenderView* vtkRayTracedRepresentation::GetRenderView()
-{
-  return vtkPVRenderView::SafeDownCast(this->GetView());
 }
 
 //----------------------------------------------------------------------------
@@ -502,22 +395,10 @@ bool vtkRayTracedRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  this->RemoveParts();
+  this->Rendering.Remove(*this->Content);
   this->Common.Key->RemoveFrom(renderView);
   this->Glyphs.GetLegend()->RemoveFrom(renderView);
   return this->vtkPVDataRepresentation::RemoveFromView(view);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::RemoveParts()
-{
-  rtglyphs::RayTracedParts& parts = this->Common.Parts;
-  if (parts.Mapper)
-  {
-    this->Content->RemoveLayers(this, this->GetRenderView());
-    parts.Remove(this, this->GetRenderView(), parts.Actor, parts.Mapper);
-    parts.Mapper = nullptr;
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -526,90 +407,6 @@ void vtkRayTracedRepresentation::SetVisibility(bool visible)
   this->Common.Parts.Actor->SetVisibility(visible);
   this->Content->Show(visible);
   this->Superclass::SetVisibility(visible);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* inInfo)
-{
-  rtglyphs::RayTracedParts& parts = this->Common.Parts;
-  if (!parts.Mapper)
-  {
-    parts.Mapper = this->Content->MakeMapper();
-    parts.Add(this, view, parts.Actor, parts.Mapper);
-  }
-  parts.Follow(this->Actor);
-  std::string problem;
-  *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
-  this->ReportAnew(problem, this->SectionProblem);
-  const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
-  vtkDataObject* delivered =
-    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
-  vtkRayTracedScene* scene = this->GetScene();
-  const bool stepwise = scene->GetSettings().IsStepwise(), capture = ScreenshotState::Of(view);
-  // A selection may come before new points have been delivered: it finds what is shown.
-  if (delivered || !this->Piece)
-  {
-    this->Show(delivered, this->All);
-    parts.Mapper->SetBlocks(this->Common.Blocks);
-  }
-  vtkPolyData* points = parts.Mapper->GetPoints();
-  const bool collective = this->IsCollective(inInfo);
-  parts.Mapper->SetInWindow(stepwise);
-  const rtglyphs::RayTracedContent::Frame frame{ inInfo, this, view, points, lod, collective,
-    this->NeedsOrderedCompositing() };
-  this->Content->Configure(frame);
-  // In a window fewer glyphs come first where many must be built.
-  const bool first = stepwise && !lod && !capture && !(this->ReducedFirst && scene->HasPicture()) && delivered &&
-    static_cast<double>(delivered->GetActualMemorySize()) > 1024.0 * view->GetLODRenderingThreshold() &&
-    parts.Mapper->NeedsBuild(parts.Actor);
-  this->PieceLOD = points && delivered && (lod || first)
-    ? this->Content->Reduce(delivered, this->GetBounds(points, this->All), view->GetLODResolution())
-    : nullptr;
-  const bool reduced = this->PieceLOD != nullptr;
-  Shown& shown = reduced ? this->Reduced : this->All;
-  this->ReducedFirst = reduced && first;
-  if (reduced)
-  {
-    delivered = this->PieceLOD;
-    this->Show(delivered, shown);
-    points = shown.Blocks.GetPoints();
-  }
-  if (this->ReducedFirst)
-  {
-    scene->ExpectAnother();
-  }
-  this->Content->ShowReduced(frame, reduced);
-  vtkNew<vtkPolyData> nothing;
-  double bounds[6];
-  std::copy_n(this->GetBounds(points ? points : nothing.Get(), shown), 6, bounds);
-  rtg::PeriodicImages images = this->MakeImages(points, delivered, collective);
-  rtglyphs::ExtendBounds(images, bounds);
-  // In an unbounded domain no sky is visible: light from any distance meets only what is shown.
-  const rtglyphs::RayTracedImageSettings& light = scene->GetSettings();
-  if (light.ShadingMode != static_cast<int>(rtg::Shading::AmbientOcclusion) || light.AmbientOcclusionRadius <= 0.0)
-  {
-    images.lit = images.shown;
-  }
-  this->SetPartBounds(bounds);
-  *parts.Images = rtglyphs::Moved(images, parts.Actor->GetMatrix());
-  scene->SetFrameKind(capture, collective, view->GetUseOrderedCompositing());
-  parts.Mapper->SetDataStatistics({ this->GetUniqueIdentifier(), this->Gathers, this->All.Bounds.GetBuilds(),
-    this->GatherSeconds, this->All.Bounds.GetSeconds() });
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetPartBounds(const double bounds[6])
-{
-  this->Common.Parts.Mapper->SetKnownBounds(bounds);
-  this->Content->SetLayerBounds(bounds);
-}
-
-//----------------------------------------------------------------------------
-// Null while it is in no view, and until the view has something ray traced.
-vtkRayTracedScene* vtkRayTracedRepresentation::GetScene()
-{
-  vtkPVRenderView* view = this->GetRenderView();
-  return view ? vtkRayTracedScene::Find(view->GetRenderer()) : nullptr;
 }
 
 //****************************************************************************
@@ -629,13 +426,14 @@ void vtkRayTracedRepresentation::GatherIf(bool changed)
 // Trails, too, use the box of the data.
 void vtkRayTracedRepresentation::SetPeriodicBoundary(bool on)
 {
-  this->GatherIf(std::exchange(this->Periodic.Boundary, on) != on && this->Content->HasTrails());
+  this->GatherIf(std::exchange(this->Rendering.Periodic.Boundary, on) != on && this->Content->HasTrails());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPeriodicVectors(int index, double value)
 {
-  this->GatherIf(std::exchange(this->Periodic.Vectors.at(index), value) != value && this->Content->HasTrails());
+  this->GatherIf(
+    std::exchange(this->Rendering.Periodic.Vectors.at(index), value) != value && this->Content->HasTrails());
 }
 
 //----------------------------------------------------------------------------

@@ -23,11 +23,9 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "GlyphBounds.h"
 #include "GlyphContent.h"
 #include "RayTracedNumbers.h"
-#include "RayTracedPeriodic.h"
-#include "RayTracedSection.h"
+#include "RayTracedRendering.h"
 #include "RayTracedSelected.h"
 #include "SurfaceContent.h"
 #include "TubeContent.h"
@@ -40,10 +38,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-class vtkCompositeDataDisplayAttributes;
-class vtkPVRenderView;
-class vtkRayTracedScene;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
 {
@@ -117,7 +111,7 @@ public:
    */
   void SetPeriodicBoundary(bool on);
   void SetPeriodicVectors(int index, double value);
-  void SetPeriodicImages(int a, int b, int c) { this->Periodic.Images = { a, b, c }; }
+  void SetPeriodicImages(int a, int b, int c) { this->Rendering.Periodic.Images = { a, b, c }; }
   ///@}
 
   ///@{
@@ -126,19 +120,19 @@ public:
    * a box, or of the slab of that thickness about the plane, what is outside; not inverted the opposite. All in world
    * coordinates. With `moves` glyphs take their cut along.
    */
-  void SetSection(int kind) { this->Section.Kind = kind; }
-  void SetSectionInvert(bool invert) { this->Section.Invert = invert; }
-  void SetSectionMoves(bool moves) { this->Section.Moves = moves; }
-  void SetSectionOrigin(double x, double y, double z) { this->Section.Origin = { x, y, z }; }
-  void SetSectionNormal(double x, double y, double z) { this->Section.Normal = { x, y, z }; }
-  void SetSectionThickness(double thickness) { this->Section.Thickness = thickness; }
-  void SetSectionPosition(double x, double y, double z) { this->Section.Position = { x, y, z }; }
-  void SetSectionRotation(double x, double y, double z) { this->Section.Rotation = { x, y, z }; }
-  void SetSectionLength(double x, double y, double z) { this->Section.Length = { x, y, z }; }
-  void SetSectionCaps(int faces) { this->Section.Face = faces; }
+  void SetSection(int kind) { this->Rendering.Section.Kind = kind; }
+  void SetSectionInvert(bool invert) { this->Rendering.Section.Invert = invert; }
+  void SetSectionMoves(bool moves) { this->Rendering.Section.Moves = moves; }
+  void SetSectionOrigin(double x, double y, double z) { this->Rendering.Section.Origin = { x, y, z }; }
+  void SetSectionNormal(double x, double y, double z) { this->Rendering.Section.Normal = { x, y, z }; }
+  void SetSectionThickness(double thickness) { this->Rendering.Section.Thickness = thickness; }
+  void SetSectionPosition(double x, double y, double z) { this->Rendering.Section.Position = { x, y, z }; }
+  void SetSectionRotation(double x, double y, double z) { this->Rendering.Section.Rotation = { x, y, z }; }
+  void SetSectionLength(double x, double y, double z) { this->Rendering.Section.Length = { x, y, z }; }
+  void SetSectionCaps(int faces) { this->Rendering.Section.Face = faces; }
   void SetSectionCapColor(double red, double green, double blue)
   {
-    this->Section.CapColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
+    this->Rendering.Section.CapColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
   ///@}
 
@@ -324,7 +318,6 @@ private:
   void SetArray(std::string& held, const char* name);
   void SetTable(bool sourceIndexing, bool useSourceTableTree);
   void GatherIf(bool changed);
-  void ReportAnew(const std::string& problem, std::string& reported);
 
   // The data side
   rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what); // to ParaView's progress bar
@@ -333,46 +326,18 @@ private:
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
-  struct Shown;
-  void Show(vtkDataObject* data, Shown& shown);
-  rtg::PeriodicImages MakeImages(vtkDataObject* points, vtkDataObject* data, bool together);
-  const double* GetBounds(vtkPolyData* points, Shown& shown);
-
-  // The render side
-  vtkPVRenderView* GetRenderView();
-  vtkRayTracedScene* GetScene();
-  bool IsCollective(vtkInformation* inInfo);
-  void SetPartBounds(const double bounds[6]);
-  void RemoveParts();
-  void Render(vtkPVRenderView* view, vtkInformation* inInfo);
 
   rtglyphs::RayTracedCommon Common;
   rtglyphs::GlyphContent Glyphs;
   rtglyphs::SurfaceContent Surface;
   rtglyphs::TubeContent Tubes;
   rtglyphs::RayTracedContent* Content; // one of these
-
-  struct Shown
-  {
-    explicit Shown(rtglyphs::RayTracedBlocks& blocks);
-    rtglyphs::RayTracedBlocks& Blocks;
-    rtglyphs::GlyphBounds Bounds;
-    vtkNew<vtkCompositeDataDisplayAttributes> Attributes; // of Data's blocks, as they were at Time
-    vtkDataObject* Data = nullptr;                        // only to be compared
-    vtkMTimeType Time = 0;
-  };
-  Shown All;
-  Shown Reduced; // what the content makes of it for frames that must come at once
+  rtglyphs::RayTracedRendering Rendering;
   rtglyphs::RayTracedSelected Selected;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
-  vtkSmartPointer<vtkDataObject> Piece, PieceLOD; // gathered, not yet delivered
-  bool ReducedFirst = false;                      // whether the last frame at rest has shown it
-  bool Guarded = false, LacksMemory = false;      // see WithinMemory()
-  rtglyphs::RayTracedPeriodic Periodic;
-  std::string PeriodicProblem; // that has been reported
-  rtglyphs::RayTracedSection Section;
-  std::string SectionProblem; // that has been reported
+  vtkSmartPointer<vtkDataObject> Piece;      // gathered, not yet delivered
+  bool Guarded = false, LacksMemory = false; // see WithinMemory()
 };
 
 #endif
