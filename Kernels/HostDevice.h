@@ -67,6 +67,8 @@ struct GlyphSetRecord
 #define RTG_FIELD(type, name) type name;
   RTG_MATERIAL(RTG_FIELD)
 #undef RTG_FIELD
+  vec3 lower; // bounds in the scene's coordinates
+  vec3 upper;
   TreeRecord tree;      // when the set is traced by it
   vec3 offset;          // of the set's origin from the scene's: high part, as in the transform
   vec3 offsetLow;       // what the high part's rounding left

@@ -90,11 +90,17 @@ void Scene::State::ListSets()
       std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
     for (const GlyphSet::Image& image : set.Images())
     {
-      const glm::vec3 offset(set.instances.origin + image.offset - this->origin);
-      const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
-      this->bounds.Include(moved.Widened(SlabPadding(moved.Reach())));
+      this->bounds.Include(this->BoundsOf(set, image));
     }
   }
+}
+
+// In the scene's coordinates.
+Box Scene::State::BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const
+{
+  const glm::vec3 offset(set.instances.origin + image.offset - this->origin);
+  const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
+  return moved.Widened(SlabPadding(moved.Reach()));
 }
 
 std::vector<GlyphSet::Image> GlyphSet::Images() const
@@ -220,15 +226,12 @@ void Scene::State::FillRecords()
 #undef RTG_FILL
       record.tree = placed.tree.record;
       record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
-      const glm::dvec3 offset = instances.origin - this->origin;
-      Split(offset, record.offset, record.offsetLow);
       record.polynomialWidth = static_cast<std::uint32_t>(instances.polynomials.width);
       record.variants = placed.variants.bits;
       record.setId = id;
       record.firstGlyph = run.first;
       record.glyphCount = run.count;
       record.translucent = set.Translucent();
-      record.mask = set.Mask();
       record.colored = placed.variants.Has(device::COLORS | device::END_COLORS | device::MESH_COLORS | device::FORMS |
         device::SIGN_COLORS | device::DIRECTION_COLORS);
       record.colorTable = at(placed.colorTable, 0);
@@ -258,16 +261,18 @@ void Scene::State::FillRecords()
       }
       filled.push_back(record);
     }
-    // The same again at other places.
-    const std::vector<GlyphSet::Image> images = set.Images();
-    for (auto image = images.begin() + 1; image != images.end(); ++image)
+    // The same at each place.
+    const std::vector<device::GlyphSetRecord> runs(filled.begin() + static_cast<std::ptrdiff_t>(first), filled.end());
+    filled.resize(first);
+    for (const GlyphSet::Image& image : set.Images())
     {
-      const glm::dvec3 offset = set.instances.origin + image->offset - this->origin;
-      for (std::size_t i = 0; i < placed.runs.size(); ++i)
+      const Box bounds = this->BoundsOf(set, image);
+      for (device::GlyphSetRecord record : runs)
       {
-        device::GlyphSetRecord record = filled[first + i];
-        Split(offset, record.offset, record.offsetLow);
-        record.mask = set.Mask(image->shown);
+        Split(set.instances.origin + image.offset - this->origin, record.offset, record.offsetLow);
+        record.lower = bounds.lower;
+        record.upper = bounds.upper;
+        record.mask = set.Mask(image.shown);
         filled.push_back(record);
       }
     }

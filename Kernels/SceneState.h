@@ -226,6 +226,7 @@ struct Scene::State
   void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const BoxReader& boxes);
   void CheckInstanceCount() const;
   void BuildTopLevels();
+  Box BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const;
   void ListSets();
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();

@@ -104,6 +104,15 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
   } while (going);
 }
 
+// Whether the ray may meet a set between tMin and tMax: not where it passes by its bounds. NaN: it may.
+bool MayMeet(const GlyphSetRecord set, const BoxRay ray, const float tMin, const float tMax)
+{
+  vec3 toLower = (set.lower - ray.origin) * ray.inverse, toUpper = (set.upper - ray.origin) * ray.inverse;
+  vec3 tolerance = max(abs(toLower), abs(toUpper)) * 9.5367431640625e-7 + ray.tolerance;
+  vec3 near = min(toLower, toUpper) - tolerance, far = max(toLower, toUpper) + tolerance;
+  return !(max(max(near.x, near.y), max(near.z, tMin)) > min(min(far.x, far.y), min(far.z, tMax)));
+}
+
 // The nearest crossing of all sets in `mask`; with `any` whichever comes first. With `gathers` the layers of
 // translucent sets up to what is opaque.
 GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
@@ -115,13 +124,15 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
   uint end = layered && gathers && !alone ? 2u * count : count;
   // A ray that is cut goes through a set once for each part of it.
   Span body = WholeRay();
+  BoxRay boxRay = MakeBoxRay(ray.origin, abs(ray.origin), ray.direction);
   for (uint turn = 0u; turn < partsOfRay * end && !(any && hit.glyph != nothing); ++turn)
   {
     uint i = turn / partsOfRay;
     uint record = i < count ? i : i - count;
     bool gathering = layered && gathers && (alone || i >= count);
     GlyphSetRecord set = SetRecord(record);
-    if ((set.mask & (layered && gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u)
+    if ((set.mask & (layered && gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u &&
+      (alone || MayMeet(set, boxRay, tMin, hit.t)))
     {
       GlyphCrossing found = hit;
       vec2 range = vec2(tMin, hit.t);
