@@ -163,10 +163,13 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
   }
   else
   {
-    met = IntersectGlyph(set.shape, ray, glyph, tMin, atCap ? RTG_NEVER : tMax, wantsNormal || atCap, t, normal);
+    GlyphHit hit = IntersectGlyph(set.shape, ray, glyph, tMin, atCap ? RTG_NEVER : tMax, wantsNormal);
+    met = hit.found;
+    t = hit.t;
+    normal = hit.normal;
     if (atCap)
     {
-      inside = met && dot(normal, ray.direction) > 0.0;
+      inside = met && hit.leaves;
       if (Has(set.variants, BEFORE | AFTER) && IsOfShape(set.shape, RTG_OWN_ESTIMATE))
       {
         inside = IsInPiece(ray, glyph, tMin);

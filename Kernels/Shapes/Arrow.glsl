@@ -84,15 +84,13 @@ RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head
 }
 
 RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  RTG_OUT(LocalRay) local, RTG_OUT(ArrowHead) head, RTG_OUT(Crossing) crossing)
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   ArrowScale scale = ScaleOfArrow(glyph);
-  head = NoHead();
   if (!ToArrowFrame(ray, glyph, scale, local))
   {
     return NoCrossing(local, crossing);
   }
-  head = HeadOfArrow(glyph);
   Span shaftPart = EmptySpan();
   Span headPart = EmptySpan();
   if (HasShaft(glyph, scale))
@@ -101,7 +99,7 @@ RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin
   }
   if (HasHead(glyph))
   {
-    headPart = HeadSpan(local, glyph, head);
+    headPart = HeadSpan(local, glyph, HeadOfArrow(glyph));
   }
 
   // Shaft and head meet in the plane of the head's base, to the bit: their spans meet there or are apart.
@@ -138,7 +136,7 @@ RTG_FN Enclosure ArrowEnclosure(const Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const ArrowHead head, const Crossing crossing)
+RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
   real3 p = PointAt(local, crossing.s);
   bool backwards = crossing.face == RTG_TAIL || crossing.face == RTG_HEAD_BASE;
@@ -151,11 +149,11 @@ RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const ArrowHea
   {
     // At the apex there is none.
     real radius = sqrt(p.y * p.y + p.z * p.z);
-    normal = radius > real(0.0) ? real3(head.slope.hi * radius, p.y, p.z) : normal;
+    normal = radius > real(0.0) ? real3(HeadOfArrow(glyph).slope.hi * radius, p.y, p.z) : normal;
   }
   if (crossing.face == RTG_HEAD_BALL)
   {
-    normal = real3(head.ball.hi - p.x, p.y, p.z);
+    normal = real3(HeadOfArrow(glyph).ball.hi - p.x, p.y, p.z);
   }
   if (!glyph.fixedHeads)
   {
@@ -165,25 +163,6 @@ RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const ArrowHea
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN bool IntersectArrow(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  LocalRay local;
-  ArrowHead head;
-  Crossing crossing;
-  bool found = ArrowCrossing(ray, glyph, tMin, tMax, local, head, crossing);
-  t = crossing.t;
-  normal = found && wantsNormal ? ArrowNormal(glyph, local, head, crossing) : -ray.direction;
-  return found;
-}
-
-RTG_FN void ArrowBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
-{
-  real3 below;
-  real3 above;
-  ArrowReach(glyph, below, above);
-  lower = glyph.center + (glyph.centerLow + below);
-  upper = glyph.center + (glyph.centerLow + above);
-}
+RTG_INTERSECT_BY_SPANS(Arrow, Arrow)
 
 #endif

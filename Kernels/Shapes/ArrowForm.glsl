@@ -104,7 +104,7 @@ RTG_FN ArrowHead HeadOfArrow(const Glyph glyph)
 }
 
 // The arrow's bounds in its own frame, in world units: two discs and the ball at the tip.
-RTG_FN void ArrowReach(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds ArrowBounds(const Glyph glyph)
 {
   ArrowScale scale = ScaleOfArrow(glyph);
   real3 worldSize = scale.over / scale.times;
@@ -113,13 +113,11 @@ RTG_FN void ArrowReach(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) u
   real3 unitDisc = DiscReach(glyph, real3(real(0.0), worldSize.y, real(0.0)), real3(real(0.0), real(0.0), worldSize.z));
   bool shaft = HasShaft(glyph, scale);
   bool head = HasHead(glyph);
-  lower = real3(real(0.0));
-  upper = real3(real(0.0));
+  Bounds bounds = SymmetricBounds(real3(real(0.0)));
   if (shaft)
   {
     real3 reach = glyph.arrow.x * unitDisc;
-    lower = min(-reach, base - reach);
-    upper = max(reach, base + reach);
+    bounds = Bounds(min(-reach, base - reach), max(reach, base + reach));
   }
   if (head)
   {
@@ -130,9 +128,10 @@ RTG_FN void ArrowReach(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) u
     real3 reach = glyph.arrow.y * unitDisc;
     real3 headLower = min(base - reach, center - ball);
     real3 headUpper = max(base + reach, center + ball);
-    lower = shaft ? min(lower, headLower) : headLower;
-    upper = shaft ? max(upper, headUpper) : headUpper;
+    bounds.lower = shaft ? min(bounds.lower, headLower) : headLower;
+    bounds.upper = shaft ? max(bounds.upper, headUpper) : headUpper;
   }
+  return bounds;
 }
 
 #endif

@@ -71,23 +71,12 @@ RTG_FN real3 CapsuleNormal(const Glyph glyph, const LocalRay local, const Crossi
   return normalize(RotateToWorld(glyph, p * (real(0.5) * real3(smallest) / CapsuleEnd(glyph))));
 }
 
-RTG_FN bool IntersectCapsule(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = CapsuleCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  normal = found && wantsNormal ? CapsuleNormal(glyph, local, crossing) : -ray.direction;
-  return found;
-}
+RTG_INTERSECT_BY_SPANS(Capsule, Capsule)
 
-RTG_FN void CapsuleBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds CapsuleBounds(const Glyph glyph)
 {
   real3 axis = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
-  real3 reach = abs(axis) + EllipsoidReach(glyph, CapsuleEnd(glyph));
-  lower = glyph.center + (glyph.centerLow - reach);
-  upper = glyph.center + (glyph.centerLow + reach);
+  return SymmetricBounds(abs(axis) + EllipsoidReach(glyph, CapsuleEnd(glyph)));
 }
 
 #endif

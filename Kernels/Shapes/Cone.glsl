@@ -46,24 +46,14 @@ RTG_FN real3 ConeNormal(const Glyph glyph, const LocalRay local, const Crossing 
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN bool IntersectCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = ConeCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  normal = found && wantsNormal ? ConeNormal(glyph, local, crossing) : -ray.direction;
-  return found;
-}
+RTG_INTERSECT_BY_SPANS(Cone, Cone)
 
-RTG_FN void ConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds ConeBounds(const Glyph glyph)
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 apex = RotateToWorld(glyph, real3(halfSize.x, real(0.0), real(0.0)));
   real3 disc = DiscReach(glyph, real3(real(0.0), halfSize.y, real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
-  lower = glyph.center + (glyph.centerLow + min(apex, -apex - disc));
-  upper = glyph.center + (glyph.centerLow + max(apex, -apex + disc));
+  return Bounds(min(apex, -apex - disc), max(apex, -apex + disc));
 }
 
 #endif

@@ -36,25 +36,14 @@ RTG_FN real3 CylinderNormal(const Glyph glyph, const LocalRay local, const Cross
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN bool IntersectCylinder(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = CylinderCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  normal = found && wantsNormal ? CylinderNormal(glyph, local, crossing) : -ray.direction;
-  return found;
-}
+RTG_INTERSECT_BY_SPANS(Cylinder, Cylinder)
 
-RTG_FN void CylinderBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds CylinderBounds(const Glyph glyph)
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 axis = RotateToWorld(glyph, real3(real(0.0), halfSize.y, real(0.0)));
-  real3 reach =
-    abs(axis) + DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
-  lower = glyph.center + (glyph.centerLow - reach);
-  upper = glyph.center + (glyph.centerLow + reach);
+  return SymmetricBounds(
+    abs(axis) + DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z)));
 }
 
 #endif

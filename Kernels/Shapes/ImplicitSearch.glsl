@@ -295,6 +295,7 @@ RTG_FN SurfaceCrossing NearestCrossing(
       if (!more)
       {
         crossing.found = t <= tMax;
+        crossing.leaves = !search.a.outside;
         crossing.t = t;
         crossing.at = at;
         crossing.gradient = gradient;
@@ -314,3 +315,22 @@ RTG_FN SurfaceCrossing NearestCrossing(
   crossing.steps = search.steps;
   return crossing;
 }
+
+RTG_FN SurfaceCrossing RTG_CROSSING(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
+{
+  Chord chord;
+  bool near = ToChord(ray, glyph, tMin, tMax, chord);
+  SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
+  if (near)
+  {
+    crossing = NearestCrossing(RTG_MAKE_FIELD(chord, glyph.exponents), chord, tMin, tMax, wantsGradient);
+  }
+  return crossing;
+}
+
+#undef RTG_FIELD
+#undef RTG_MAKE_FIELD
+#undef RTG_PROBE
+#undef RTG_SEARCH
+#undef RTG_CROSSING

@@ -191,6 +191,7 @@ struct ImplicitPoint
 struct SurfaceCrossing
 {
   bool found;
+  bool leaves; // the glyph, rather than enters it
   real t;
   LocalRay at;
   real3 gradient;
@@ -199,7 +200,7 @@ struct SurfaceCrossing
 
 RTG_FN SurfaceCrossing NoSurfaceCrossing(const LocalRay ray)
 {
-  return SurfaceCrossing(false, real(RTG_NEVER), ray, real3(real(0.0)), 0);
+  return SurfaceCrossing(false, false, real(RTG_NEVER), ray, real3(real(0.0)), 0);
 }
 
 // The normal in the world from the gradient in absolute coordinates of the frame of the half-lengths.
@@ -214,6 +215,13 @@ RTG_FN real3 SurfaceNormal(const Glyph glyph, const real3 p, const real3 gradien
   real3 outward = real3(p.x < real(0.0) ? -g.x : g.x, p.y < real(0.0) ? -g.y : g.y, p.z < real(0.0) ? -g.z : g.z);
   real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
   return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+}
+
+RTG_FN GlyphHit
+HitAt(const SurfaceCrossing crossing, const GlyphRay ray, const Glyph glyph, const bool wantsNormal)
+{
+  return GlyphHit(crossing.found, crossing.leaves, crossing.t,
+    crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction);
 }
 
 #endif

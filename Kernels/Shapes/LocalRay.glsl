@@ -32,6 +32,27 @@ struct Glyph
   int degree; // of this glyph's polynomial
 };
 
+// Where a ray crosses a glyph's surface.
+struct GlyphHit
+{
+  bool found;
+  bool leaves; // the glyph, rather than enters it
+  real t;
+  real3 normal; // outward, unit, in the world, where it is wanted
+};
+
+// A glyph's box relative to its center.
+struct Bounds
+{
+  real3 lower;
+  real3 upper;
+};
+
+RTG_FN Bounds SymmetricBounds(const real3 reach)
+{
+  return Bounds(-reach, reach);
+}
+
 // A ray in a glyph's frame, not yet divided by the glyph's size. Its parameter s counts from the
 // world ray's parameter `start`.
 struct LocalRay
@@ -100,6 +121,28 @@ RTG_FN real3 RotateToWorld(const Glyph glyph, const real3 a)
     return a;
   }
   return Rotate(real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
+}
+
+// The unit glyph's axes in the world, with these lengths.
+struct Axes
+{
+  real3 x;
+  real3 y;
+  real3 z;
+};
+
+RTG_FN Axes WorldAxes(const Glyph glyph, const real3 lengths)
+{
+  return Axes(RotateToWorld(glyph, real3(lengths.x, real(0.0), real(0.0))),
+    RotateToWorld(glyph, real3(real(0.0), lengths.y, real(0.0))),
+    RotateToWorld(glyph, real3(real(0.0), real(0.0), lengths.z)));
+}
+
+// Half the extents of a box of these half-lengths.
+RTG_FN real3 BoxReach(const Glyph glyph, const real3 halfSize)
+{
+  Axes axes = WorldAxes(glyph, halfSize);
+  return abs(axes.x) + abs(axes.y) + abs(axes.z);
 }
 
 RTG_FN real3 RotateToLocal(const Glyph glyph, const real3 a)

@@ -476,9 +476,8 @@ RTG_FN NestedProbe WithSign(const NestedField field, const LocalRay unit, const 
 #define RTG_FIELD NestedField
 #define RTG_PROBE NestedProbe
 #define RTG_SEARCH NestedSearch
+#define RTG_MAKE_FIELD MakeNestedField
+#define RTG_CROSSING NestedSuperquadricCrossing
 #include "ImplicitSearch.glsl"
-#undef RTG_FIELD
-#undef RTG_PROBE
-#undef RTG_SEARCH
 
 #endif

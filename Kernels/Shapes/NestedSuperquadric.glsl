@@ -15,25 +15,10 @@
 #include "Estimate.glsl"
 #include "NestedField.glsl"
 
-RTG_FN SurfaceCrossing NestedSuperquadricCrossing(
-  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
+RTG_FN GlyphHit IntersectNestedSuperquadric(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsNormal)
 {
-  Chord chord;
-  if (!ToChord(ray, glyph, tMin, tMax, chord))
-  {
-    return NoSurfaceCrossing(chord.ray);
-  }
-  return NearestCrossing(MakeNestedField(chord, glyph.exponents), chord, tMin, tMax, wantsGradient);
-}
-
-RTG_FN bool IntersectNestedSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  SurfaceCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal);
-  t = crossing.t;
-  normal =
-    crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction;
-  return crossing.found;
+  return HitAt(NestedSuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal), ray, glyph, wantsNormal);
 }
 
 #define NestedSuperquadricEnclosure BoxedEnclosure
@@ -54,21 +39,16 @@ RTG_FN real DualNorm(const real a, const real b, const real exponent)
 // Half the extent along each world axis is the glyph's support function there: of the dual norms, one in the other. A
 // profile that is convex toward the axis (beta > 2) reaches as far as its hull. Of two profiles the fuller one counts,
 // which is exact when both are straight or convex toward the axis.
-RTG_FN void NestedSuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds NestedSuperquadricBounds(const Glyph glyph)
 {
-  real3 reach = real(0.5) * glyph.size;
-  if (glyph.turned)
-  {
-    real3 x = abs(RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0))));
-    real3 y = abs(RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0))));
-    real3 z = abs(RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z)));
-    real3 e = max(glyph.exponents, real3(real(RTG_NESTED_LEAST)));
-    real profile = min(e.y, e.z);
-    reach = real3(DualNorm(DualNorm(x.x, y.x, e.x), z.x, profile), DualNorm(DualNorm(x.y, y.y, e.x), z.y, profile),
-      DualNorm(DualNorm(x.z, y.z, e.x), z.z, profile));
-  }
-  lower = glyph.center + (glyph.centerLow - reach);
-  upper = glyph.center + (glyph.centerLow + reach);
+  Axes axes = WorldAxes(glyph, real(0.5) * glyph.size);
+  real3 x = abs(axes.x);
+  real3 y = abs(axes.y);
+  real3 z = abs(axes.z);
+  real3 e = max(glyph.exponents, real3(real(RTG_NESTED_LEAST)));
+  real profile = min(e.y, e.z);
+  return SymmetricBounds(real3(DualNorm(DualNorm(x.x, y.x, e.x), z.x, profile),
+    DualNorm(DualNorm(x.y, y.y, e.x), z.y, profile), DualNorm(DualNorm(x.z, y.z, e.x), z.z, profile)));
 }
 
 #endif

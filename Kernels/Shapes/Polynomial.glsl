@@ -471,6 +471,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
         {
           more = false;
           crossing.found = t <= tMax;
+          crossing.leaves = search.inside;
           crossing.t = t;
           crossing.at = at;
         }
@@ -504,14 +505,13 @@ RTG_FN real3 PolynomialNormal(const Glyph glyph, const DoubleWord3 at, const rea
   return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
 }
 
-RTG_FN bool IntersectPolynomial(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+RTG_FN GlyphHit IntersectPolynomial(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsNormal)
 {
   real sign;
   SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, tMin, tMax, sign);
-  t = crossing.t;
-  normal = crossing.found && wantsNormal ? PolynomialNormal(glyph, crossing.at.origin, sign) : -ray.direction;
-  return crossing.found;
+  return GlyphHit(crossing.found, crossing.leaves, crossing.t,
+    crossing.found && wantsNormal ? PolynomialNormal(glyph, crossing.at.origin, sign) : -ray.direction);
 }
 
 // The sign of f in the direction of a point that is given from the center, in the glyph's frame.
@@ -520,20 +520,11 @@ RTG_FN bool PolynomialIsNegative(const Glyph glyph, const real3 p)
   return FormAt(glyph, Word3(p / glyph.size), false).f.hi < real(0.0);
 }
 
-// Not turned, the box of its extents; else also no more than the box of the ellipsoid round it.
-RTG_FN void PolynomialBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+// The box of its extents, and no more than the box of the ellipsoid round it.
+RTG_FN Bounds PolynomialBounds(const Glyph glyph)
 {
   real3 halfSize = real(0.5) * glyph.size;
-  real3 reach = halfSize * FormExtents(glyph);
-  if (glyph.turned)
-  {
-    real3 x = abs(RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0))));
-    real3 y = abs(RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0))));
-    real3 z = abs(RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z)));
-    reach = min(x + y + z, EllipsoidReach(glyph, halfSize));
-  }
-  lower = glyph.center + (glyph.centerLow - reach);
-  upper = glyph.center + (glyph.centerLow + reach);
+  return SymmetricBounds(min(BoxReach(glyph, halfSize * FormExtents(glyph)), EllipsoidReach(glyph, halfSize)));
 }
 
 #endif

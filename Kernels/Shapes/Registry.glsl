@@ -22,29 +22,27 @@
 #include "Superquadric.glsl"
 #include "SweptEllipsoid.glsl"
 
-// Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves. Where it is wanted
-// and there is a crossing, also the outward unit normal there, in the world.
-RTG_FN bool IntersectGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin,
-  const real tMax, const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+// The nearest crossing of the glyph's surface at t in [tMin, tMax].
+RTG_FN GlyphHit IntersectGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin,
+  const real tMax, const bool wantsNormal)
 {
-  bool found = false;
-  t = tMin;
-  normal = -ray.direction; // where there is none
+  GlyphHit hit = GlyphHit(false, false, tMin, -ray.direction);
 #define RTG_INTERSECT(number, Name)                                                                                    \
   if (RTG_IS(shape, number))                                                                                           \
   {                                                                                                                    \
-    found = Intersect##Name(ray, glyph, tMin, tMax, wantsNormal, t, normal);                                           \
+    hit = Intersect##Name(ray, glyph, tMin, tMax, wantsNormal);                                                        \
   }
   RTG_SHAPES(RTG_INTERSECT)
 #undef RTG_INTERSECT
-  return found;
+  return hit;
 }
 
 RTG_FN bool IntersectGlyph(
   const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
-  real3 normal;
-  return IntersectGlyph(shape, ray, glyph, tMin, tMax, false, t, normal);
+  GlyphHit hit = IntersectGlyph(shape, ray, glyph, tMin, tMax, false);
+  t = hit.t;
+  return hit.found;
 }
 
 // A ball and a box round the glyph.
@@ -89,24 +87,23 @@ RTG_FN real3 GlyphNormal(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
 {
   real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
   real before = t - real(8.0) * real(RTG_ROUNDOFF) * (abs(t) + largest / length(ray.direction));
-  real again;
-  real3 normal;
-  bool found = IntersectGlyph(shape, ray, glyph, before, real(RTG_NEVER), true, again, normal);
-  return found ? normal : -normalize(ray.direction);
+  GlyphHit hit = IntersectGlyph(shape, ray, glyph, before, real(RTG_NEVER), true);
+  return hit.found ? hit.normal : -normalize(ray.direction);
 }
 
 // Axis-aligned bounds in the frame of the centers, tight but for rounding: pad them before use.
 RTG_FN void GlyphBounds(const RTG_SHAPE shape, const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
-  lower = glyph.center;
-  upper = glyph.center;
+  Bounds bounds = SymmetricBounds(real3(real(0.0)));
 #define RTG_BOUNDS(number, Name)                                                                                       \
   if (RTG_IS(shape, number))                                                                                           \
   {                                                                                                                    \
-    Name##Bounds(glyph, lower, upper);                                                                                 \
+    bounds = Name##Bounds(glyph);                                                                                      \
   }
   RTG_SHAPES(RTG_BOUNDS)
 #undef RTG_BOUNDS
+  lower = glyph.center + (glyph.centerLow + bounds.lower);
+  upper = glyph.center + (glyph.centerLow + bounds.upper);
 }
 
 #endif

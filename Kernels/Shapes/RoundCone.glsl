@@ -219,9 +219,10 @@ RTG_FN bool IsInPiece(const GlyphRay ray, const Glyph glyph, const real t)
 }
 
 // The ray in the glyph's frame.
-RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const RoundConeForm form, const real tMin,
-  const real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
+  RoundConeForm form = FormOfRoundCone(glyph);
   real3 middle, halfSize;
   RoundConeBox(glyph, middle, halfSize);
   if (!ToLocal(ray, glyph, middle, halfSize, local))
@@ -253,7 +254,9 @@ RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const Round
     kept.sOut = span.sIn;
     kept.faceOut = span.faceIn;
   }
-  return FirstCrossing(local, kept, tMin, tMax, crossing) && !(innerIn && innerOut);
+  bool found = FirstCrossing(local, kept, tMin, tMax, crossing) && !(innerIn && innerOut);
+  crossing.leaves = crossing.leaves || innerIn;
+  return found;
 }
 
 RTG_FN Enclosure RoundConeEnclosure(const Glyph glyph)
@@ -475,8 +478,9 @@ RTG_FN int EstimateRoundCone(
   return verdict;
 }
 
-RTG_FN real3 RoundConeNormal(const Glyph glyph, const RoundConeForm form, const LocalRay local, const Crossing crossing)
+RTG_FN real3 RoundConeNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
+  RoundConeForm form = FormOfRoundCone(glyph);
   LocalRay at = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
   DoubleWord x = WordX(at.origin);
   real3 p = at.origin.hi;
@@ -499,25 +503,14 @@ RTG_FN real3 RoundConeNormal(const Glyph glyph, const RoundConeForm form, const 
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN bool IntersectRoundCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  RoundConeForm form = FormOfRoundCone(glyph);
-  LocalRay local;
-  Crossing crossing;
-  bool found = RoundConeCrossing(ray, glyph, form, tMin, tMax, local, crossing);
-  t = crossing.t;
-  normal = found && wantsNormal ? RoundConeNormal(glyph, form, local, crossing) : -ray.direction;
-  return found;
-}
+RTG_INTERSECT_BY_SPANS(RoundCone, RoundCone)
 
-RTG_FN void RoundConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds RoundConeBounds(const Glyph glyph)
 {
   real3 toLast = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
   real3 first = real3(real(0.5) * glyph.size.y);
   real3 last = real3(real(0.5) * glyph.size.z);
-  lower = glyph.center + (glyph.centerLow + min(-toLast - first, toLast - last));
-  upper = glyph.center + (glyph.centerLow + max(first - toLast, toLast + last));
+  return Bounds(min(-toLast - first, toLast - last), max(first - toLast, toLast + last));
 }
 
 #endif

@@ -19,6 +19,7 @@ struct Crossing
   DoubleWord s; // parameter of the local ray
   real t;       // parameter of the world ray
   int face;
+  bool leaves; // the shape, rather than enters it
 };
 
 RTG_FN Span WholeRay()
@@ -201,6 +202,7 @@ FirstCrossing(const LocalRay ray, const Span span, const real tMin, const real t
   crossing.s = span.sOut;
   crossing.face = span.faceOut;
   crossing.t = tOut;
+  crossing.leaves = !first;
   if (first)
   {
     crossing.s = span.sIn;
@@ -214,9 +216,25 @@ FirstCrossing(const LocalRay ray, const Span span, const real tMin, const real t
 RTG_FN bool NoCrossing(RTG_OUT(LocalRay) ray, RTG_OUT(Crossing) crossing)
 {
   ray = LocalRay(Word(real(0.0)), Word3(real3(real(0.0))), Word3(real3(real(0.0))));
-  crossing = Crossing(Word(real(0.0)), real(RTG_NEVER), -1);
+  crossing = Crossing(Word(real(0.0)), real(RTG_NEVER), -1, false);
   return false;
 }
+
+// Intersect<Name>() of a shape whose <Shape>Crossing() finds the crossing on a ray in a frame of its own, and whose
+// <Shape>Normal() gives the normal there.
+#define RTG_INTERSECT_BY_SPANS(Name, Shape)                                                                            \
+  RTG_FN GlyphHit Intersect##Name(                                                                                     \
+    const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsNormal)                   \
+  {                                                                                                                    \
+    LocalRay local;                                                                                                    \
+    Crossing crossing;                                                                                                 \
+    GlyphHit hit;                                                                                                      \
+    hit.found = Shape##Crossing(ray, glyph, tMin, tMax, local, crossing);                                              \
+    hit.leaves = crossing.leaves;                                                                                      \
+    hit.t = crossing.t;                                                                                                \
+    hit.normal = hit.found && wantsNormal ? Shape##Normal(glyph, local, crossing) : -ray.direction;                    \
+    return hit;                                                                                                        \
+  }
 
 // The local point at s in plain numbers.
 RTG_FN real3 PointAt(const LocalRay ray, const DoubleWord s)

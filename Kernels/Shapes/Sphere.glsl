@@ -103,7 +103,7 @@ RTG_FN real3 OnUnitSphere(const LocalRay ray)
   return PointAt(ray, Word(step));
 }
 
-RTG_FN real3 EllipsoidNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
+RTG_FN real3 SphereNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
   if (glyph.sameSize)
   {
@@ -115,23 +115,7 @@ RTG_FN real3 EllipsoidNormal(const Glyph glyph, const LocalRay local, const Cros
   return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
 }
 
-// Superquadrics with exponents of 2 are this, too.
-RTG_FN bool IntersectEllipsoid(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  normal = found && wantsNormal ? EllipsoidNormal(glyph, local, crossing) : -ray.direction;
-  return found;
-}
-
-RTG_FN bool IntersectSphere(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
-{
-  return IntersectEllipsoid(ray, glyph, tMin, tMax, wantsNormal, t, normal);
-}
+RTG_INTERSECT_BY_SPANS(Sphere, Sphere)
 
 // Half the extents of the ellipsoid with the given half-axes along the world's axes.
 RTG_FN real3 EllipsoidReach(const Glyph glyph, const real3 halfAxes)
@@ -140,21 +124,14 @@ RTG_FN real3 EllipsoidReach(const Glyph glyph, const real3 halfAxes)
   {
     return halfAxes;
   }
-  real3 x = RotateToWorld(glyph, real3(halfAxes.x, real(0.0), real(0.0)));
-  real3 y = RotateToWorld(glyph, real3(real(0.0), halfAxes.y, real(0.0)));
-  real3 z = RotateToWorld(glyph, real3(real(0.0), real(0.0), halfAxes.z));
-  return sqrt(x * x + y * y + z * z);
+  Axes axes = WorldAxes(glyph, halfAxes);
+  return sqrt(axes.x * axes.x + axes.y * axes.y + axes.z * axes.z);
 }
 
-RTG_FN void SphereBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds SphereBounds(const Glyph glyph)
 {
-  real3 reach = real(0.5) * glyph.size;
-  if (!glyph.sameSize)
-  {
-    reach = EllipsoidReach(glyph, reach);
-  }
-  lower = glyph.center + (glyph.centerLow - reach);
-  upper = glyph.center + (glyph.centerLow + reach);
+  real3 halfSize = real(0.5) * glyph.size;
+  return SymmetricBounds(glyph.sameSize ? halfSize : EllipsoidReach(glyph, halfSize));
 }
 
 #endif

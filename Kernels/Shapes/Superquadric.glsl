@@ -271,39 +271,25 @@ RTG_FN SuperquadricProbe WithSign(const SuperquadricField field, const LocalRay 
 #define RTG_FIELD SuperquadricField
 #define RTG_PROBE SuperquadricProbe
 #define RTG_SEARCH SuperquadricSearch
+#define RTG_MAKE_FIELD MakeSuperquadricField
+#define RTG_CROSSING SuperquadricCrossing
 #include "ImplicitSearch.glsl"
-#undef RTG_FIELD
-#undef RTG_PROBE
-#undef RTG_SEARCH
 
 RTG_FN bool IsEllipsoid(const Glyph glyph)
 {
   return glyph.exponents.x == real(2.0) && glyph.exponents.y == real(2.0) && glyph.exponents.z == real(2.0);
 }
 
-RTG_FN SurfaceCrossing SuperquadricCrossing(
-  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
-{
-  Chord chord;
-  if (!ToChord(ray, glyph, tMin, tMax, chord))
-  {
-    return NoSurfaceCrossing(chord.ray);
-  }
-  return NearestCrossing(MakeSuperquadricField(chord, glyph.exponents), chord, tMin, tMax, wantsGradient);
-}
+RTG_INTERSECT_BY_SPANS(Ellipsoid, Sphere)
 
-RTG_FN bool IntersectSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+RTG_FN GlyphHit IntersectSuperquadric(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsNormal)
 {
   if (IsEllipsoid(glyph))
   {
-    return IntersectEllipsoid(ray, glyph, tMin, tMax, wantsNormal, t, normal);
+    return IntersectEllipsoid(ray, glyph, tMin, tMax, wantsNormal);
   }
-  SurfaceCrossing crossing = SuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal);
-  t = crossing.t;
-  normal =
-    crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction;
-  return crossing.found;
+  return HitAt(SuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal), ray, glyph, wantsNormal);
 }
 
 RTG_FN Enclosure SuperquadricEnclosure(const Glyph glyph)
@@ -350,20 +336,20 @@ RTG_FN real SuperquadricReach(const real3 a, const real3 exponents)
   return k + SumOf(a * u - k * min(power, real3(real(1.0))));
 }
 
-RTG_FN void SuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds SuperquadricBounds(const Glyph glyph)
 {
   real3 reach = real(0.5) * glyph.size;
   if (glyph.turned)
   {
-    real3 x = abs(RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0))));
-    real3 y = abs(RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0))));
-    real3 z = abs(RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z)));
+    Axes axes = WorldAxes(glyph, reach);
+    real3 x = abs(axes.x);
+    real3 y = abs(axes.y);
+    real3 z = abs(axes.z);
     reach = real3(SuperquadricReach(real3(x.x, y.x, z.x), glyph.exponents),
       SuperquadricReach(real3(x.y, y.y, z.y), glyph.exponents),
       SuperquadricReach(real3(x.z, y.z, z.z), glyph.exponents));
   }
-  lower = glyph.center + (glyph.centerLow - reach);
-  upper = glyph.center + (glyph.centerLow + reach);
+  return SymmetricBounds(reach);
 }
 
 #endif

@@ -370,31 +370,30 @@ RTG_FN bool ToSwept(const GlyphRay ray, const Glyph glyph, RTG_OUT(SweptRay) swe
   return near;
 }
 
-RTG_FN bool IntersectSweptEllipsoid(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
-  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+RTG_FN GlyphHit IntersectSweptEllipsoid(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsNormal)
 {
-  bool found = false;
-  t = tMin;
-  normal = -ray.direction;
+  GlyphHit hit = GlyphHit(false, false, tMin, -ray.direction);
   SweptRay swept;
   if (ToSwept(ray, glyph, swept))
   {
     bool met = true;
     real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
     real enough = real(RTG_ROUNDOFF) * largest / length(ray.direction);
-    for (int side = RTG_ENTRY; side <= RTG_EXIT && met && !found; side += RTG_EXIT - RTG_ENTRY)
+    for (int side = RTG_ENTRY; side <= RTG_EXIT && met && !hit.found; side += RTG_EXIT - RTG_ENTRY)
     {
       SweptPoint point;
       met = MeetSweep(swept, real(side), wantsNormal ? real(0.0) : enough, point);
-      found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
-      t = point.t;
-      if (found && wantsNormal)
+      hit.found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
+      hit.leaves = side == RTG_EXIT;
+      hit.t = point.t;
+      if (hit.found && wantsNormal)
       {
-        normal = SweptNormal(glyph, point.gradient);
+        hit.normal = SweptNormal(glyph, point.gradient);
       }
     }
   }
-  return found;
+  return hit;
 }
 
 // Whether the ray's point at t is inside the sweep, and of joined pieces that share it in the first.
@@ -532,13 +531,13 @@ RTG_FN int EstimateSweptEllipsoid(
   return verdict;
 }
 
-RTG_FN void SweptEllipsoidBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN Bounds SweptEllipsoidBounds(const Glyph glyph)
 {
   real3 x = real3(real(1.0), real(0.0), real(0.0));
   real3 y = real3(real(0.0), real(1.0), real(0.0));
   real3 z = real3(real(0.0), real(0.0), real(1.0));
-  lower = glyph.center + (glyph.centerLow - real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)));
-  upper = glyph.center + (glyph.centerLow + real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
+  return Bounds(-real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)),
+    real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
 }
 
 #endif

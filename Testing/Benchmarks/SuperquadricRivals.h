@@ -388,7 +388,10 @@ struct Rivals
   static Hit Plugin(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
   {
     Hit hit;
-    hit.found = K::IntersectSuperquadric(ray, glyph, tMin, Real(1e30), normal, hit.t, hit.normal);
+    const auto own = K::IntersectSuperquadric(ray, glyph, tMin, Real(1e30), normal);
+    hit.found = own.found;
+    hit.t = own.t;
+    hit.normal = own.normal;
     return hit;
   }
 

@@ -154,6 +154,7 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
     report.excused += verdict.excused;
     report.falseHits += verdict.falseHit;
     report.falseMisses += verdict.falseMiss;
+    report.wrongSides += verdict.wrongSide;
     if (verdict.bothHit)
     {
       ++report.compared;
@@ -194,6 +195,23 @@ ReferenceCase::ReferenceCase(HardCase hard)
   }
 }
 
+std::optional<bool> ReferenceCase::StartsInside(std::size_t ray) const
+{
+  const HardRay& hardRay = this->hard_.rays[ray];
+  const double rounding = 1e-5 * this->glyphs_[hardRay.glyph].Size() / glm::length(glm::dvec3(hardRay.direction));
+  bool inside = false;
+  for (const ReferenceCrossing& crossing : this->crossings_[ray])
+  {
+    const double t = double(crossing.t);
+    if (std::abs(t) <= rounding)
+    {
+      return {};
+    }
+    inside = inside != (t < 0.0);
+  }
+  return inside;
+}
+
 template <class Real>
 Verdict ReferenceCase::Judge(std::size_t ray, const Answer& answer)
 {
@@ -220,14 +238,19 @@ std::vector<Verdict> JudgeKernel(ReferenceCase& reference)
     }
     const typename Kernel::GlyphRay kernelRay = KernelRay<Real>(ray);
     Answer answer;
-    Real t = 0;
-    answer.hit = Kernel::IntersectGlyph(hard.instances.shape, kernelRay, glyph, Real(0), Real(1e30), t);
-    answer.t = double(t);
+    const typename Kernel::GlyphHit hit =
+      Kernel::IntersectGlyph(hard.instances.shape, kernelRay, glyph, Real(0), Real(1e30), false);
+    answer.hit = hit.found;
+    answer.t = double(hit.t);
     if (answer.hit)
     {
-      answer.normal = glm::dvec3(Kernel::GlyphNormal(hard.instances.shape, kernelRay, glyph, t));
+      answer.normal = glm::dvec3(Kernel::GlyphNormal(hard.instances.shape, kernelRay, glyph, hit.t));
     }
-    verdicts.push_back(reference.Judge<Real>(i, answer));
+    Verdict verdict = reference.Judge<Real>(i, answer);
+    const std::optional<bool> inside = reference.StartsInside(i);
+    // From inside the next crossing may be missed near a silhouette, from outside the surface is entered anyhow.
+    verdict.wrongSide = hit.found && inside && hit.leaves != *inside && !(*inside && verdict.nearSilhouette);
+    verdicts.push_back(verdict);
   }
   return verdicts;
 }

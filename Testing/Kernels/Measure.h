@@ -5,6 +5,7 @@
 #include "Reference.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace rtg::testing
@@ -59,6 +60,7 @@ struct Verdict
   bool excused = false; ///< something is beyond its bound, but so near a silhouette that it does not count
   bool falseHit = false, falseMiss = false; ///< outside the band only
   bool nearSilhouette = false;              ///< something is beyond its bound, and the ray is in the band
+  bool wrongSide = false; ///< said to be left where it is entered, or entered where it is left, also in the band
   bool bothHit = false;                     ///< and t is compared
   double t = 0.0;                           ///< of the reference's crossing
   double ulps = 0.0;                        ///< |dt| in ulps of t
@@ -94,6 +96,9 @@ public:
   template <class Real>
   Verdict Judge(std::size_t ray, const Answer& answer);
 
+  /// Whether a ray starts inside its glyph; none where that is within rounding.
+  std::optional<bool> StartsInside(std::size_t ray) const;
+
 private:
   HardCase hard_;
   std::vector<ReferenceGlyph> glyphs_;
@@ -106,8 +111,8 @@ extern template Verdict ReferenceCase::Judge<double>(std::size_t, const Answer&)
 /// Summary of a case: medians and maxima over rays where both hit, counts over all.
 struct CaseReport
 {
-  std::size_t rays = 0, hits = 0, excused = 0, compared = 0, falseHits = 0, falseMisses = 0, outOfBound = 0,
-              normalsOutOfBound = 0;
+  std::size_t rays = 0, hits = 0, excused = 0, compared = 0, falseHits = 0, falseMisses = 0, wrongSides = 0,
+              outOfBound = 0, normalsOutOfBound = 0;
   double medianUlps = 0, maxUlps = 0, medianSizes = 0, maxSizes = 0, maxExcess = 0, maxDistanceExcess = 0;
   double medianRadians = 0, maxRadians = 0, maxNormalExcess = 0;
 };

@@ -33,18 +33,6 @@ struct Expected
   bool certain = true;      ///< nothing is decided by less than `tolerance`
 };
 
-bool HasShortChord(const std::vector<ReferenceCrossing>& crossings, double tolerance)
-{
-  for (std::size_t i = 1; i < crossings.size(); ++i)
-  {
-    if (double(crossings[i].t - crossings[i - 1].t) < tolerance)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// What of the crossings of a line is left, and where the cut closes it. The ray begins at t = 0.
 Expected
 Cut(const std::vector<ReferenceCrossing>& crossings, const HardRay& ray, const Section& section, double tolerance)
@@ -254,12 +242,10 @@ protected:
         const bool hit = std::isfinite(answers[k].t);
         ++this->rays;
         const bool same = hit == expected.hit && (!hit || std::abs(answers[k].t - expected.t) <= tolerance);
-        // Where the line passes near a silhouette it crosses another number of times. Of a chord that is shorter than
-        // the tolerance only the end may be found: it is the chord of a sharp edge.
+        // Where the line passes near a silhouette it crosses another number of times.
         const bool certain = expected.certain &&
           (same ||
-            (!HasShortChord(crossings[k], tolerance) &&
-              reference.Crossings(ray.origin, ray.direction, 1.0 - 2e-5).size() == crossings[k].size() &&
+            (reference.Crossings(ray.origin, ray.direction, 1.0 - 2e-5).size() == crossings[k].size() &&
               reference.Crossings(ray.origin, ray.direction, 1.0 + 2e-5).size() == crossings[k].size()));
         if (!certain)
         {

@@ -41,6 +41,7 @@ private:
     SCOPED_TRACE(bytes == sizeof(float) ? "float" : "double");
     EXPECT_EQ(report.falseHits, 0u);
     EXPECT_EQ(report.falseMisses, 0u);
+    EXPECT_EQ(report.wrongSides, 0u);
     EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
     EXPECT_LE(report.maxDistanceExcess, 1.0) << "times the bound lies a point found from the surface";
     EXPECT_EQ(report.normalsOutOfBound, 0u) << "worst: " << report.maxRadians << " radians";
