@@ -18,6 +18,7 @@
 #endif
 
 class vtkSMRayTracedViewProxy;
+class vtkSMSourceProxy;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
 {
@@ -49,10 +50,12 @@ protected:
 
 private:
   bool IsShown();
+  void TakeMolecule();
   void TakeSelection();
   void ChooseDefaults();
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
+  vtkSmartPointer<vtkSMSourceProxy> AtomsAndBonds; // of a molecule, else null
   double Time = 0.0; // of the last update
 #ifndef __VTK_WRAP__
   rtglyphs::RayTracedTensorTable TensorTable;
