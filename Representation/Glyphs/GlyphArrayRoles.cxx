@@ -151,8 +151,8 @@ bool IsRotation(const Array& array)
     (array.Components == 4 && HasLength(array, 1.0));
 }
 
-// A letter alone may be anything, no rotation has five, six or seven components, orientations of fibers are tensors, and
-// five numbers Q, too, those of a nematic.
+// A letter alone may be anything, no rotation has five, six or seven components, orientations of fibers are tensors,
+// and five numbers Q, too, those of a nematic.
 const Meaning& MeaningOf(const Array& array, double spacing)
 {
   const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
@@ -164,7 +164,7 @@ const Meaning& MeaningOf(const Array& array, double spacing)
   const bool fiber =
     turning && meaning.Names.front() == "orient*" && array.Components == 9 && array.IsKnown() && !IsRotation(array);
   const bool other = array.HasTensorNames || (array.Components > 4 && array.Components < 9) || fiber;
-  return turning && array.Components == 5    ? MeaningOf("tensor", 5)
+  return turning && array.Components == 5      ? MeaningOf("tensor", 5)
     : (letter && !meant) || (turning && other) ? unnamed
                                                : meaning;
 }

@@ -115,18 +115,21 @@ void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
   const auto isAround = [&arrays](const std::string& name, const std::string& coordinate)
   {
     return name.ends_with(coordinate) &&
-      std::any_of(arrays.begin(), arrays.end(), [radial = name.substr(0, name.size() - coordinate.size()) + 'r'](
-        const auto& array) { return array.Name == radial; });
+      std::any_of(arrays.begin(), arrays.end(),
+        [radial = name.substr(0, name.size() - coordinate.size()) + 'r'](const auto& array)
+        { return array.Name == radial; });
   };
   std::string angles;
   for (const auto& array : arrays)
   {
-    const bool found = rtglyphs::GlyphArrayRoles::IsAngle(array) || isAround(array.Name, "theta") || isAround(array.Name, "phi");
+    const bool found =
+      rtglyphs::GlyphArrayRoles::IsAngle(array) || isAround(array.Name, "theta") || isAround(array.Name, "phi");
     angles += found ? (angles.empty() ? "" : ", ") + array.Name : "";
   }
   if (!angles.empty())
   {
-    sentences.push_back("Angles and components along circles are no directions: a Calculator makes vectors of " + angles);
+    sentences.push_back(
+      "Angles and components along circles are no directions: a Calculator makes vectors of " + angles);
   }
 }
 
@@ -245,6 +248,11 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     if (group->GetXMLLabel() && strcmp(group->GetXMLLabel(), "Coloring") == 0)
     {
       group->SetHints(coloring);
+    }
+    if (group->GetPanelWidget() && strcmp(group->GetPanelWidget(), "MoleculeParameters") == 0)
+    {
+      const std::string own = "<Hints>" + where("Representation", "Molecule") + "</Hints>";
+      group->SetHints(vtkSmartPointer<vtkPVXMLElement>(vtkPVXMLParser::ParseXML(own.c_str())));
     }
   }
 }

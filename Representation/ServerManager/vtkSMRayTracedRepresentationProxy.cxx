@@ -90,8 +90,8 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
 }
 
 //----------------------------------------------------------------------------
-// Of a molecule's data information ParaView's domains know neither bounds nor arrays: the input, also of what only holds
-// properties, is what Molecule To Lines makes of it.
+// Of a molecule's data information ParaView's domains know neither bounds nor arrays: the input, also of what only
+// holds properties, is what Molecule To Lines makes of it.
 void vtkSMRayTracedRepresentationProxy::TakeMolecule()
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
@@ -103,8 +103,8 @@ void vtkSMRayTracedRepresentationProxy::TakeMolecule()
   }
   if (!this->AtomsAndBonds)
   {
-    this->AtomsAndBonds.TakeReference(vtkSMSourceProxy::SafeDownCast(
-      this->GetSessionProxyManager()->NewProxy("filters", "MoleculeToLines")));
+    this->AtomsAndBonds.TakeReference(
+      vtkSMSourceProxy::SafeDownCast(this->GetSessionProxyManager()->NewProxy("filters", "MoleculeToLines")));
   }
   vtkSMPropertyHelper(this->AtomsAndBonds, "Input").Set(molecule.GetAsProxy(), molecule.GetOutputPort());
   this->AtomsAndBonds->UpdateVTKObjects();
@@ -162,9 +162,9 @@ std::vector<std::string> vtkSMRayTracedRepresentationProxy::Explain(vtkSMProxy* 
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 {
-  if (this->AtomsAndBonds)
+  if (vtkSMProxy* view = this->AtomsAndBonds ? this->View->GetView() : nullptr)
   {
-    this->AtomsAndBonds->UpdatePipeline(vtkSMPropertyHelper(this->View->GetView(), "ViewTime").GetAsDouble());
+    this->AtomsAndBonds->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
   }
   this->GlyphDefaults.Choose(this);
 }

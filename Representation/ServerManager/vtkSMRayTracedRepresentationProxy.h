@@ -56,7 +56,7 @@ private:
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
   vtkSmartPointer<vtkSMSourceProxy> AtomsAndBonds; // of a molecule, else null
-  double Time = 0.0; // of the last update
+  double Time = 0.0;                               // of the last update
 #ifndef __VTK_WRAP__
   rtglyphs::RayTracedTensorTable TensorTable;
   rtglyphs::RayTracedGlyphDefaults GlyphDefaults;

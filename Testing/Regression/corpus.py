@@ -354,7 +354,7 @@ ROWS = (
         ("Size by Van der Waals radii of Atomic Numbers", "Color by Atomic Numbers: what the glyphs show")),
     Row("ODF of 15 alone", lambda: vti("fod15.vti", (5, 4, 1), wmfod=RANDOM.normal(size=(20, 15)) * 0.02 + numpy.eye(15)[0] * 0.28),
         {"GlyphHarmonicsArray": "wmfod", "GlyphShape": 12}, "Axes", 20, ("Shape by wmfod: its name", )),
-    Row("fifteen numbers", lambda: vti("fifteen.vti", (5, 4, 1), a=RANDOM.normal(size=(20, 15))), {"GlyphShape": 0}, "", 20,
+    Row("fifteen numbers", lambda: vti("fifteen.vti", (5, 4, 1), a=RANDOM.normal(size=(20, 15))), {"GlyphShape": 0}, "a", 20,
         ("GlyphShape can show a as Fourth-Order Tensor or Spherical Harmonics", )),
     Row("nematic", lambda: vti("nematic.vti", (6, 5, 2), Q=traceless(60)), {TENSOR: "Q", "GlyphShape": 8}, "Sign", 60, ("Shape by Q: its name", )),
     Row("five numbers", lambda: vti("five.vti", (6, 5, 2), a=traceless(60)), {"GlyphShape": 0}, "", 60, ("GlyphShape can show a as tensors", )),
@@ -403,7 +403,7 @@ def main(words):
         trace = smtrace.stop_trace()
         own = {"Sign": "GlyphTensorColoring", "Fractional Anisotropy": "GlyphTensorColoring", "Axes": "GlyphDirectionColoring"}.get(row.color)
         wanted = "%s = '%s'" % (own, row.color) if own else "'%s'))" % row.color
-        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors", "Atomic Numbers") or wanted in trace)
+        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("a", "p", "rgb_colors", "Atomic Numbers") or wanted in trace)
         checks.true("%s: the trace has no GlyphShape" % row.name, not row.arrays.get("GlyphShape") or "GlyphShape = '" in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):
