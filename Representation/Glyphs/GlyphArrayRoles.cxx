@@ -43,6 +43,7 @@ const Meaning meanings[] = {
       "subdomain*", "partition*", " image", "period*" },
     {} },
   { { "eigenval*" }, { 0, 0, 20, 20, 0, 20, 0, 0 } },
+  { { "fod*", "wmfod*", "odf*", "sh", "harmonic*" }, { 20, 20, 20, 20, 0, 0, 60, 0 } },
   { { "tensor*" }, { 20, 20, 15, 20, 0, tensor, 20, 0 } },
   { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
   { { "quat*", "q", "rot", "rotation*", "matrix", "axes", "frame", "basis", "transform*" },
@@ -150,8 +151,8 @@ bool IsRotation(const Array& array)
     (array.Components == 4 && HasLength(array, 1.0));
 }
 
-// A letter alone may be anything, no rotation has five, six or seven components, and orientations of fibers are
-// tensors.
+// A letter alone may be anything, no rotation has five, six or seven components, orientations of fibers are tensors,
+// and five numbers Q, too, those of a nematic.
 const Meaning& MeaningOf(const Array& array, double spacing)
 {
   const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
@@ -163,7 +164,9 @@ const Meaning& MeaningOf(const Array& array, double spacing)
   const bool fiber =
     turning && meaning.Names.front() == "orient*" && array.Components == 9 && array.IsKnown() && !IsRotation(array);
   const bool other = array.HasTensorNames || (array.Components > 4 && array.Components < 9) || fiber;
-  return (letter && !meant) || (turning && other) ? unnamed : meaning;
+  return turning && array.Components == 5      ? MeaningOf("tensor", 5)
+    : (letter && !meant) || (turning && other) ? unnamed
+                                               : meaning;
 }
 
 // Three components under the name of a rotation are angles.

@@ -108,17 +108,40 @@ void ExplainOrder(vtkSMProxy* glyphs, bool tensors, std::vector<std::string>& se
   }
 }
 
-// Azimuths, from north or from x, are not taken for directions.
+// Azimuths, from north or from x, are not taken for directions, nor is V_theta beside V_r.
 void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
 {
-  std::string angles;
-  for (const auto& array : ListOf(glyphs, "SelectScaleArray")->Listed())
+  const auto arrays = ListOf(glyphs, "SelectScaleArray")->Listed();
+  const auto isAround = [&arrays](const std::string& name, const std::string& coordinate)
   {
-    angles += rtglyphs::GlyphArrayRoles::IsAngle(array) ? (angles.empty() ? "" : ", ") + array.Name : "";
+    return name.ends_with(coordinate) &&
+      std::any_of(arrays.begin(), arrays.end(),
+        [radial = name.substr(0, name.size() - coordinate.size()) + 'r'](const auto& array)
+        { return array.Name == radial; });
+  };
+  std::string angles;
+  for (const auto& array : arrays)
+  {
+    const bool found =
+      rtglyphs::GlyphArrayRoles::IsAngle(array) || isAround(array.Name, "theta") || isAround(array.Name, "phi");
+    angles += found ? (angles.empty() ? "" : ", ") + array.Name : "";
   }
   if (!angles.empty())
   {
-    sentences.push_back("Angles are no directions: a Calculator makes vectors of " + angles);
+    sentences.push_back(
+      "Angles and components along circles are no directions: a Calculator makes vectors of " + angles);
+  }
+}
+
+// What the number of components alone says nothing sure of is not shown at once.
+void ExplainShapes(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
+{
+  const auto tensors = ListOf(glyphs, "GlyphTensorArray")->Choose();
+  if (tensors && (!tensors.IsEvident || tensors.Components > 9) && tensors.Name.find(", ") == std::string::npos)
+  {
+    const bool either = ListOf(glyphs, "GlyphHarmonicsArray")->Choose().Name == tensors.Name;
+    sentences.push_back("GlyphShape can show " + tensors.Name +
+      (tensors.Components > 9 ? " as Fourth-Order Tensor" : " as tensors") + (either ? " or Spherical Harmonics" : ""));
   }
 }
 
@@ -225,6 +248,11 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     if (group->GetXMLLabel() && strcmp(group->GetXMLLabel(), "Coloring") == 0)
     {
       group->SetHints(coloring);
+    }
+    if (group->GetPanelWidget() && strcmp(group->GetPanelWidget(), "MoleculeParameters") == 0)
+    {
+      const std::string own = "<Hints>" + where("Representation", "Molecule") + "</Hints>";
+      group->SetHints(vtkSmartPointer<vtkPVXMLElement>(vtkPVXMLParser::ParseXML(own.c_str())));
     }
   }
 }
@@ -462,6 +490,7 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   else if (IsNone(glyphs, "SelectOrientationVectors"))
   {
     ExplainAngles(glyphs, sentences);
+    ExplainShapes(glyphs, sentences);
   }
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {

@@ -11,6 +11,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 
@@ -70,6 +71,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && strcmp(name, "Input") == 0)
   {
+    this->TakeMolecule();
     this->TakeSelection();
   }
   if (flag && strcmp(name, "Section") == 0)
@@ -85,6 +87,32 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     rtglyphs::RayTracedDefault::Follow(this, name);
     this->GlyphDefaults.Follow(this, name);
   }
+}
+
+//----------------------------------------------------------------------------
+// Of a molecule's data information ParaView's domains know neither bounds nor arrays: the input, also of what only
+// holds properties, is what Molecule To Lines makes of it.
+void vtkSMRayTracedRepresentationProxy::TakeMolecule()
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  const vtkSMPropertyHelper molecule(display, "Input", /*quiet=*/true);
+  const bool taken = vtkSMPropertyHelper(this, "Input").GetAsProxy() == this->AtomsAndBonds;
+  if (strcmp(display->GetXMLName(), "PVMoleculeRepresentation") != 0 || molecule.GetNumberOfElements() == 0 || taken)
+  {
+    return;
+  }
+  if (!this->AtomsAndBonds)
+  {
+    this->AtomsAndBonds.TakeReference(
+      vtkSMSourceProxy::SafeDownCast(this->GetSessionProxyManager()->NewProxy("filters", "MoleculeToLines")));
+  }
+  vtkSMPropertyHelper(this->AtomsAndBonds, "Input").Set(molecule.GetAsProxy(), molecule.GetOutputPort());
+  this->AtomsAndBonds->UpdateVTKObjects();
+  for (vtkSMProxy* proxy : { static_cast<vtkSMProxy*>(this), display->GetProperty("ScaleMode")->GetParent() })
+  {
+    vtkSMPropertyHelper(proxy, "Input").Set(this->AtomsAndBonds); // pushed after the display has pushed the molecule
+  }
+  this->GetProperty("ColorArrayName")->Copy(display->GetProperty("ColorArrayName")); // links pass no defaults on
 }
 
 //----------------------------------------------------------------------------
@@ -134,6 +162,10 @@ std::vector<std::string> vtkSMRayTracedRepresentationProxy::Explain(vtkSMProxy* 
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 {
+  if (vtkSMProxy* view = this->AtomsAndBonds ? this->View->GetView() : nullptr)
+  {
+    this->AtomsAndBonds->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
+  }
   this->GlyphDefaults.Choose(this);
 }
 

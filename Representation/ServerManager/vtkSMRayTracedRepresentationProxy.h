@@ -18,6 +18,7 @@
 #endif
 
 class vtkSMRayTracedViewProxy;
+class vtkSMSourceProxy;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
 {
@@ -49,11 +50,13 @@ protected:
 
 private:
   bool IsShown();
+  void TakeMolecule();
   void TakeSelection();
   void ChooseDefaults();
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
-  double Time = 0.0; // of the last update
+  vtkSmartPointer<vtkSMSourceProxy> AtomsAndBonds; // of a molecule, else null
+  double Time = 0.0;                               // of the last update
 #ifndef __VTK_WRAP__
   rtglyphs::RayTracedTensorTable TensorTable;
   rtglyphs::RayTracedGlyphDefaults GlyphDefaults;

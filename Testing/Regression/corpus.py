@@ -131,6 +131,11 @@ def diffusion(count):
     return numpy.array([((turn * [1.7e-3, 4e-4, 2e-4]) @ turn.T)[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]] for turn in turns])
 
 
+def traceless(count):
+    """Tensors without a trace, xx xy xz yy yz, as codes for nematics write them."""
+    return diffusion(count)[:, [0, 3, 5, 1, 4]] - 7.7e-4 * numpy.array([1, 0, 0, 1, 0])
+
+
 def particles(count=300, side=0.1):
     """Places in a box."""
     return RANDOM.uniform(0.0, side, (count, 3))
@@ -339,7 +344,7 @@ ROWS = (
         {"GlyphShape": 0}, "", 120),
     Row("wind by angles", lambda: table("stations.csv", x=NODES[:, 0], y=NODES[:, 1], z=0.0 * NODES[:, 2], wind_direction=RANDOM.uniform(0.0, 360.0, 120),
                                         wind_speed=RANDOM.uniform(1.0, 20.0, 120)),
-        {DIRECTION: "None"}, "wind_speed", 120, ("Angles are no directions: a Calculator makes vectors of wind_direction", )),
+        {DIRECTION: "None"}, "wind_speed", 120, ("Angles and components along circles are no directions: a Calculator makes vectors of wind_direction", )),
     Row("OOMMF, directions of magnetization", lambda: vti("spins.vti", (8, 8, 1), m=unit(64, 3)), {DIRECTION: "m"}, "Axes", 64, ("Direction by m", "Color by direction")),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
     Row("N-body, masses", lambda: legacy("nbody.vtk", PLACES, masses=10.0**RANDOM.uniform(4.0, 12.0, 300)), {SIZE: "None"}, "masses", 300),
@@ -347,6 +352,15 @@ ROWS = (
         {}, "Colour", 300, ("Color by Colour: what the glyphs show", )),
     Row("XYZ, Molecule To Lines", molecule, {SIZE: "Van der Waals radii of Atomic Numbers"}, "Atomic Numbers", 6,
         ("Size by Van der Waals radii of Atomic Numbers", "Color by Atomic Numbers: what the glyphs show")),
+    Row("ODF of 15 alone", lambda: vti("fod15.vti", (5, 4, 1), wmfod=RANDOM.normal(size=(20, 15)) * 0.02 + numpy.eye(15)[0] * 0.28),
+        {"GlyphHarmonicsArray": "wmfod", "GlyphShape": 12}, "Axes", 20, ("Shape by wmfod: its name", )),
+    Row("fifteen numbers", lambda: vti("fifteen.vti", (5, 4, 1), a=RANDOM.normal(size=(20, 15))), {"GlyphShape": 0}, "a", 20,
+        ("GlyphShape can show a as Fourth-Order Tensor or Spherical Harmonics", )),
+    Row("nematic", lambda: vti("nematic.vti", (6, 5, 2), Q=traceless(60)), {TENSOR: "Q", "GlyphShape": 8}, "Sign", 60, ("Shape by Q: its name", )),
+    Row("five numbers", lambda: vti("five.vti", (6, 5, 2), a=traceless(60)), {"GlyphShape": 0}, "", 60, ("GlyphShape can show a as tensors", )),
+    Row("a swirl in cylindrical coordinates", lambda: table("swirl.csv", x=NODES[:, 0], y=NODES[:, 1], z=NODES[:, 2],
+                                                               **columns("V_", RANDOM.normal(size=(120, 3)), "r", "theta", "z")),
+        {DIRECTION: "None"}, "V_r", 120, ("Angles and components along circles are no directions: a Calculator makes vectors of V_theta", )),
 )
 
 
@@ -389,7 +403,7 @@ def main(words):
         trace = smtrace.stop_trace()
         own = {"Sign": "GlyphTensorColoring", "Fractional Anisotropy": "GlyphTensorColoring", "Axes": "GlyphDirectionColoring"}.get(row.color)
         wanted = "%s = '%s'" % (own, row.color) if own else "'%s'))" % row.color
-        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors", "Atomic Numbers") or wanted in trace)
+        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("a", "p", "rgb_colors", "Atomic Numbers") or wanted in trace)
         checks.true("%s: the trace has no GlyphShape" % row.name, not row.arrays.get("GlyphShape") or "GlyphShape = '" in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):

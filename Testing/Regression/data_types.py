@@ -1,10 +1,11 @@
 """Every kind of data set with points draws its glyphs; blocks keep their visibility and colors.
 
 Usage: pvpython data_types.py
-For each kind the glyphs of eight known points must be where those points are.
+For each kind the glyphs of eight known points must be where those points are. Molecules have the picture of their atoms and bonds.
 """
 import numpy
 import paraview.simple as pv
+from paraview import smtrace
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkRectilinearGrid,
@@ -12,6 +13,8 @@ from vtkmodules.vtkCommonDataModel import (
 
 import comparison
 import session
+from checks import Checks, stepwise
+from state_and_trace import traced
 
 #: the corners of the cube [-1, 1]^3, x fastest
 CORNERS = numpy.array([[x, y, z] for z in (-1.0, 1.0) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
@@ -198,13 +201,110 @@ def other_sources(view):
     return failures
 
 
+#: Two steps of water and a part of chloromethane, as ParaView's readers of chemistry take them.
+ATOMS = (("O", 8, 0.0, 0.0, 0.0), ("H", 1, 0.96, 0.0, 0.0), ("H", 1, -0.24, 0.93, 0.0), ("C", 6, 3.0, 0.0, 0.0), ("H", 1, 3.6, 0.6, 0.6), ("Cl", 17, 4.2, -1.2, 0.0))
+
+
+def written(name, content):
+    """The path of a file."""
+    path = session.output(name)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(content)
+    return path
+
+
+def xyz():
+    """A file with two time steps."""
+    steps = ("%d\nstep\n" % len(ATOMS) + "".join("%s %g %g %g\n" % (symbol, stretch * x, y, z) for symbol, _, x, y, z in ATOMS) for stretch in (1.0, 1.2))
+    return pv.XYZReader(FileName=written("atoms.xyz", "".join(steps)))
+
+
+def cml():
+    """Atoms and a bond of Chemical Markup Language."""
+    atoms = "".join('<atom id="a%d" elementType="%s" x3="%g" y3="%g" z3="%g"/>' % (i, symbol, x, y, z) for i, (symbol, _, x, y, z) in enumerate(ATOMS))
+    return pv.CMLMoleculeReader(FileName=written("atoms.cml", '<?xml version="1.0"?><molecule><atomArray>%s</atomArray><bondArray><bond atomRefs2="a0 a1" '
+                                                 'order="1"/></bondArray></molecule>' % atoms))
+
+
+def cube():
+    """Atoms of a Gaussian cube, whose lengths are in bohr."""
+    atoms = "".join("%d %d %g %g %g\n" % (number, number, x, y, z) for _, number, x, y, z in ATOMS)
+    return pv.GaussianCubeReader(FileName=written("atoms.cube", "c\nc\n%d 0 0 0\n2 1 0 0\n2 0 1 0\n2 0 0 1\n%s1 2 3 4 5 6 7 8\n" % (len(ATOMS), atoms)))
+
+
+def charged():
+    """Points that ParaView makes a molecule of, with charges."""
+    points = session.poly_data([atom[2:] for atom in ATOMS], charge=numpy.linspace(-1.0, 1.0, 6), number=numpy.array([atom[1] for atom in ATOMS], numpy.uint16))
+    return pv.ConvertIntoMolecule(Input=session.source(points), AtomicNumbers=["POINTS", "number"])
+
+
+def molecules(view, checks):
+    """A molecule has the picture of what Molecule To Lines makes of it, with nothing set, as in ParaView's window; and its own one stays."""
+    for make in (cml, cube, charged, xyz):
+        name = make.__name__
+        molecule = pv.ComputeMoleculeBonds(Input=make())
+        pictures, found = [], []
+        for source in (pv.MoleculeToLines(Input=molecule), molecule):
+            shown = stepwise(pv.Show(source, view))
+            pv.ResetCamera(view)
+            first = session.capture(view, "molecule-" + name)
+            for representation in ("Ray Traced Glyphs", "Ray Traced Tubes"):
+                shown.SetRepresentationType(representation)
+                checks.no_message("molecule, %s, %s" % (name, representation), session.messages(lambda: pv.Render(view)))
+                pictures.append(session.capture(view, "molecule-%s-%s" % (name, representation[-5:].lower())))
+            found.append([shown.SMProxy.GetProperty(value).GetElement(0) for value in ("SelectScaleArray", "ScaleMode", "ScaleFactor", "TubeRadius")])
+            pv.Delete(shown) if source is not molecule else None
+        checks.equal("molecule, %s: what is chosen" % name, found[1], found[0])
+        checks.equal("molecule, %s: sizes" % name, found[1][:3], ["Van der Waals radii of Atomic Numbers", 1, 2.0])
+        for i, what in enumerate(("atoms", "bonds")):
+            checks.picture("molecule, %s, %s" % (name, what), pictures[2 + i], pictures[i])
+            checks.within("part of the picture with %s of %s" % (what, name), float(comparison.covered(pictures[i]).mean()), 0.002, 0.9)
+        shown.SetRepresentationType("Molecule")
+        checks.picture("molecule, %s, ParaView's" % name, session.capture(view, "molecule-%s-again" % name), first)
+        if make is xyz:
+            molecule_used(view, checks, molecule, shown, pictures[2])
+        pv.Delete(shown)
+
+
+def molecule_used(view, checks, molecule, shown, wanted):
+    """Time, settings, a state, a trace, and a click."""
+    shown.SetRepresentationType("Ray Traced Glyphs")
+    view.ViewTime = 1.0
+    pv.Render(view)
+    checks.true("atoms do not move", comparison.difference(session.capture(view, "molecule-moved"), wanted)[0] > 0.01)
+    view.ViewTime = 0.0
+    pv.Render(view)
+    checks.picture("atoms at the first step again", session.capture(view, "molecule-back"), wanted)
+    smtrace.start_trace()
+    with traced(shown):
+        shown.ScaleFactor, shown.ShadingMode = 1.0, "Ambient Occlusion"
+    trace = smtrace.stop_trace().replace(" = ", "=")
+    checks.true("trace of a molecule: " + trace, "ScaleFactor=1.0" in trace and "ShadingMode='Ambient Occlusion'" in trace)
+    small = session.capture(view, "molecule-small")
+    checks.within("atoms of half the size", float(comparison.covered(small).mean() / comparison.covered(wanted).mean()), 0.2, 0.7)
+    said = session.messages(lambda: session.picked(view, "POINT", session.pixel_of(view, (0.0, 0.0, 0.0))))
+    checks.no_message("a click at an atom", said)
+    shown.ColorArrayName = [None, ""]
+    plain = session.capture(view, "molecule-plain")
+    checks.true("atoms keep their colors", comparison.difference(plain, small)[0] > 0.01)
+    pv.SaveState(session.output("molecule.pvsm"))
+    pv.Hide(molecule, view)
+    checks.no_message("state of a molecule", session.messages(lambda: pv.LoadState(session.output("molecule.pvsm"))))
+    loaded = pv.GetActiveView()
+    checks.picture("molecule of a state", session.capture(loaded, "molecule-state"), plain)
+    pv.Delete(loaded)
+    pv.SetActiveView(view)
+
+
 def main():
     """All kinds."""
     session.load()
     view = session.view(400, 300)
     session.look(view, EYE)
-    failures = kinds(view) + other_sources(view)
-    session.finish(failures)
+    checks = Checks()
+    checks.failures += kinds(view) + other_sources(view)
+    molecules(view, checks)
+    checks.report()
 
 
 if __name__ == "__main__":
