@@ -47,7 +47,7 @@ private:
   {
     rtglyphs::GlyphTuples positions(this->Positions), trails(this->Trails);
     rtglyphs::GlyphSizes::Tuples tuples(this->Sizes);
-    rtglyphs::GlyphTuples vectors(this->Settings.Tensors.AtTips ? this->Orientations : nullptr);
+    rtglyphs::GlyphTuples vectors(this->Settings.IsAroundVectors() ? this->Orientations : nullptr);
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
@@ -56,7 +56,7 @@ private:
         continue;
       }
       glm::dvec3 position(x[0], x[1], x[2]);
-      if (vectors.Has(i) && rtg::IsFinite(vectors.Get(i)) && !this->Settings.Tensors.Cones)
+      if (vectors.Has(i) && rtg::IsFinite(vectors.Get(i)) && this->Settings.Frame == rtglyphs::GlyphFrame::Tip)
       {
         position += this->Settings.ScaleFactor * glm::make_vec3(vectors.Get(i));
       }
@@ -74,7 +74,7 @@ private:
         lower = rtg::IsFinite(earlier) ? glm::min(lower, earlier) : lower;
         upper = rtg::IsFinite(earlier) ? glm::max(upper, earlier) : upper;
       }
-      if (this->Settings.Tensors.Cones)
+      if (this->Settings.Frame == rtglyphs::GlyphFrame::Cones)
       {
         this->AddCone(i, tuples, vectors, lower, upper);
         box.Include({ lower, upper });
@@ -154,13 +154,13 @@ rtg::DoubleBox rtglyphs::GlyphUnturnedBox::operator()(vtkIdType point, rtglyphs:
 {
   glm::dvec3 part;
   const glm::dvec3 size = this->Sizes.Extents(point, tuples, part);
-  if (this->Settings.Sizing.Split)
+  if (this->Settings.Frame == GlyphFrame::Split)
   {
     const double radius = std::max(this->Arrow.shaftRadius, this->Arrow.tipRadius) * this->Settings.ScaleFactor;
     const glm::dvec3 reach = size.x > 0.0 ? glm::dvec3(size.x, radius, radius) : glm::dvec3(0.0);
     return { -reach, reach };
   }
-  part *= this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0; // crosses begin at the center
+  part *= this->Settings.Frame == GlyphFrame::Cross ? 0.5 : 1.0; // crosses begin at the center
   rtg::DoubleBox box = this->Stretched ? rtg::DoubleBox{ this->Unit.lower * size, this->Unit.upper * size }
                                        : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
   box.lower *= part;

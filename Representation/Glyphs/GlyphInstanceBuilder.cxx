@@ -115,7 +115,7 @@ private:
     }
     if (!this->Motion.IsFinite(point))
     {
-      return this->How.Tensors.AtTips ? NOT_SHOWN : MOTION; // as above
+      return this->How.IsAroundVectors() ? NOT_SHOWN : MOTION; // as above
     }
     const glm::vec3 center(glyph.Center);
     const glm::dvec3 left = glm::abs(glyph.Center - glm::dvec3(center));

@@ -100,12 +100,13 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   , ChoosesForm(settings.HasTable())
   , OwnExponents(settings.HasOwnExponents())
   , Sphere(settings.Shape == rtg::Shape::Sphere)
-  , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow || settings.Sizing.Split)
+  , Pointed(
+      settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow || settings.Frame == GlyphFrame::Split)
   , AnchorShift(settings.AnchorShift())
   , NumberOfParts(settings.Parts())
   , Positions(points->GetPoints()->GetData())
 {
-  std::vector<std::string>* const reported = settings.Tensors.AtTips ? nullptr : &messages; // by the arrows
+  std::vector<std::string>* const reported = settings.IsAroundVectors() ? nullptr : &messages; // by the arrows
   for (int id = 0; id < rtglyphs::GlyphArrays::NUMBER_OF_IDS; ++id)
   {
     this->Arrays[id] =
@@ -120,8 +121,9 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   const glm::dvec3& unit = settings.UnitSize;
   const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
   this->SameSizes = !sizedByData && sameSides;
-  this->OneSize = !settings.Sizing.Split && !settings.Tensors.Cones &&
-    (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && sameSides;
+  this->OneSize = sameSides &&
+    (settings.Frame == GlyphFrame::Cross ||
+      (this->NumberOfParts == 1 && !scaledByComponents && !sizes.HasRadii() && !tensors));
   this->Turned = (this->Has(rtglyphs::GlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
     !(this->IsRound() && this->AnchorShift == 0.0);
   this->Flips = this->Pointed && (scaledByComponents || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
@@ -195,7 +197,7 @@ glm::dvec3 rtglyphs::GlyphMaker::CenterOf(
 glm::dvec3 rtglyphs::GlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
 {
   glm::dvec3 place = ToVector(tuples.Positions.Get(point));
-  if (this->How.Tensors.AtTips && !this->How.Tensors.Cones)
+  if (this->How.Frame == GlyphFrame::Tip)
   {
     rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
     place += vectors.Has(point) ? this->How.ScaleFactor * ToVector(vectors.Get(point)) : glm::dvec3(NAN);
@@ -260,7 +262,7 @@ Outcome rtglyphs::GlyphMaker::Make(
   const glm::dvec3 place = this->PlaceOf(point, tuples) - origin;
   if (!rtg::IsFinite(glm::vec3(place)))
   {
-    return this->How.Tensors.AtTips ? NOT_SHOWN : POSITION; // the vectors' messages name it
+    return this->How.IsAroundVectors() ? NOT_SHOWN : POSITION; // the vectors' messages name it
   }
   rtglyphs::GlyphSizes::Glyph sized;
   outcome = this->Sizes.Make(point, tuples.Sizes, sized, polynomial);
@@ -289,19 +291,19 @@ Outcome rtglyphs::GlyphMaker::Make(
   glyph.Tensor = sized.Tensor;
   glyph.Radius = sized.Radius;
   glyph.Shift = this->AnchorShift;
-  if (this->How.Sizing.Split)
+  rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
+  if (this->How.Frame == GlyphFrame::Split)
   {
-    rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
     const double magnitude = vtkMath::Norm(vectors.Get(point), vectors.Size());
     outcome = TakeCylinder(this->How.CylinderOf(magnitude, part), this->How.ScaleFactor, size, rotation, glyph.Shift);
   }
-  else if (this->How.Tensors.Cones)
+  else if (this->How.Frame == GlyphFrame::Cones)
   {
     rtglyphs::GlyphTensors::Cone cone;
-    outcome = this->Sizes.MakeCone(sized, tuples[rtglyphs::GlyphArrays::ORIENTATION], point, cone);
+    outcome = this->Sizes.MakeCone(sized, vectors, point, cone);
     outcome = outcome == SHOWN ? TakeCone(part, cone, size, rotation, glyph.Shift) : outcome;
   }
-  else if (this->NumberOfParts > 1)
+  else if (this->How.Frame == GlyphFrame::Cross)
   {
     outcome = TakePart(part, glyph.Tensor, size, rotation, glyph.Shift);
   }

@@ -106,7 +106,7 @@ public:
   const GlyphPlacement& GetPlacement() const { return this->Placement; }
   int Parts() const { return this->NumberOfParts; } // glyphs of each point
   double GetShift() const { return this->AnchorShift; }
-  int ShiftAxis() const { return this->How.Sizing.Split ? 1 : 0; }
+  int ShiftAxis() const { return this->How.Frame == GlyphFrame::Split ? 1 : 0; }
 
   ///@{
   /**

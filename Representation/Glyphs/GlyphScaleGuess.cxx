@@ -219,7 +219,7 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
 
   const double space = points.NumberOfAll() < few ? extents.Spacing : 0.5 * extents.Spacing;
   double size = std::max(0.9 * extents.Neighbors, std::min(seen, space));
-  const bool arrows = (settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On) || settings.Sizing.Split;
+  const bool arrows = (settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On) || settings.IsOfVectors();
   size *= arrows ? arrowLength : 1.0;
   double factor = FactorFor(sample, std::min(size, largestGlyph));
   const double excess = factor * largest / largestGlyph;

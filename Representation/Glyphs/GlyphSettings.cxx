@@ -1,6 +1,7 @@
 #include "GlyphSettings.h"
 
 #include "GlyphBoxes.h"
+#include "GlyphShapes.h"
 #include "RayTracedNumbers.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
 {
   const rtglyphs::GlyphSettings none;
   rtglyphs::GlyphSettings settings = *this;
-  if (settings.Shape != rtg::Shape::Arrow && !settings.Sizing.Split)
+  if (settings.Shape != rtg::Shape::Arrow && settings.Frame != GlyphFrame::Split)
   {
     settings.Arrow = none.Arrow;
   }
@@ -43,7 +44,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
     settings.ScaleArray.clear();
     settings.ScaleMode = none.ScaleMode;
   }
-  if (!settings.Orient || (settings.Tensors.On && !settings.Tensors.AtTips))
+  if (!settings.Orient || (settings.Tensors.On && !settings.IsAroundVectors()))
   {
     settings.Orient = false;
     settings.OrientationArray.clear();
@@ -75,6 +76,8 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
     settings.RadiusArray.clear();
   }
   settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
+  settings.Opacity = none.Opacity;
+  settings.TrailFading = none.TrailFading;
   // Of polynomials each point of the surface has a direction.
   settings.DirectionColoring = settings.Forms.On ? settings.DirectionColoring : none.DirectionColoring;
   return settings;
@@ -85,6 +88,7 @@ rtglyphs::GlyphScaling rtglyphs::GlyphSettings::OfMagnitudes() const
 {
   rtglyphs::GlyphScaling scaling = this->Effective();
   scaling.Tensors = rtglyphs::GlyphTensors::Settings{ rtglyphs::GlyphTensors::Source(scaling.Tensors) };
+  scaling.Frame = scaling.IsOfVectors() ? scaling.Frame : GlyphFrame::Arrays;
   scaling.Forms.Coloring = rtglyphs::GlyphTensors::NONE;
   scaling.Sizing.Least = scaling.Sizing.Most = 0.0;
   return scaling;
@@ -155,31 +159,105 @@ double rtglyphs::GlyphSettings::AnchorShift() const
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::AxesOfTensors() const
+std::vector<rtglyphs::GlyphLayer> rtglyphs::GlyphLayer::Of(int glyphShape)
 {
-  rtglyphs::GlyphSettings settings = *this;
-  settings.Shape = rtg::Shape::Arrow;
-  settings.Tensors.Axes = true;
-  settings.Tensors.Cross = false;
-  settings.Anchor = ORIGIN;
-  settings.RadiusArray.clear();
-  settings.Scaling &= settings.ScaleMode != COMPONENTS;
-  settings.ScaleFactor = std::abs(settings.ScaleFactor);
-  // Thin, so as to hide little, and of constant proportions: short ones are small.
-  settings.Arrow.shaftRadius = 0.015f;
-  settings.Arrow.tipRadius = 0.05f;
-  settings.Arrow.tipLength = 0.15f;
-  settings.Arrow.tipRounding = 0.0f;
-  settings.Arrow.fixedHeads = false;
-  return settings;
+  using rtg::Shape;
+  switch (glyphShape)
+  {
+    case GlyphShapes::SUPERQUADRIC:
+      return { { Shape::Superquadric, GlyphFrame::Arrays, 1.0 } };
+    case GlyphShapes::NESTED_SUPERQUADRIC:
+      return { { Shape::NestedSuperquadric, GlyphFrame::Arrays, 1.0 } };
+    case GlyphShapes::CAPSULE:
+      return { { Shape::Capsule, GlyphFrame::Arrays, 1.0 } };
+    case GlyphShapes::SPHERICAL_HARMONICS:
+    case GlyphShapes::REYNOLDS:
+    case GlyphShapes::FOURTH_ORDER_TENSOR:
+      return { { Shape::Polynomial, GlyphFrame::Arrays, 1.0 } };
+    case GlyphShapes::TENSOR_ELLIPSOID:
+      return { { Shape::Sphere, GlyphFrame::Tensor, 1.0 } };
+    case GlyphShapes::TENSOR_SUPERQUADRIC:
+    case GlyphShapes::SIGNED_TENSOR_SUPERQUADRIC:
+      return { { Shape::NestedSuperquadric, GlyphFrame::Tensor, 1.0 } };
+    case GlyphShapes::PRINCIPAL_AXES:
+      return { { Shape::Arrow, GlyphFrame::Cross, 1.0 } };
+    case GlyphShapes::CONFIDENCE_ELLIPSOID:
+      return { { Shape::Sphere, GlyphFrame::Covariance, 1.0 } };
+    case GlyphShapes::SPLIT_VECTOR:
+      return { { Shape::Cylinder, GlyphFrame::Split, 1.0 } };
+    case GlyphShapes::UNCERTAIN_VECTOR:
+      return { { Shape::Arrow, GlyphFrame::Vector, 1.0 }, { Shape::Sphere, GlyphFrame::Tip, around } };
+    case GlyphShapes::UNCERTAIN_DIRECTION:
+      return { { Shape::Arrow, GlyphFrame::Vector, 1.0 }, { Shape::Cone, GlyphFrame::Cones, around } };
+    default:
+      return { { Shape::Sphere, GlyphFrame::Arrays, 1.0 } };
+  }
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Trails(int steps, bool translucent) const
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::In(const GlyphLayer& layer) const
+{
+  rtglyphs::GlyphSettings s = *this;
+  s.Shape = layer.Shape;
+  s.Frame = layer.Frame;
+  s.Opacity = layer.Opacity;
+  s.Tensors.On = layer.Frame >= GlyphFrame::Tensor;
+  s.Tensors.Axes = layer.Frame == GlyphFrame::Axis;
+  const bool vectors = s.IsOfVectors() || s.IsAroundVectors();
+  if (vectors)
+  {
+    s.Orient = true;
+    s.OrientationMode = DIRECTION;
+    s.Scaling = s.IsOfVectors();
+    s.ScaleMode = MAGNITUDE;
+    s.ScaleArray = s.OrientationArray;
+  }
+  if (vectors || layer.Frame == GlyphFrame::Cross)
+  {
+    s.Motion.AngularVelocity.clear();
+  }
+  if (vectors || s.Tensors.Axes)
+  {
+    s.Anchor = ORIGIN;
+    s.RadiusArray.clear();
+  }
+  s.Tensors.Covariances = layer.Frame == GlyphFrame::Covariance || s.IsAroundVectors();
+  if (s.Tensors.Covariances)
+  {
+    s.Tensors.Thickness = rtg::thinnestTensorGlyph;
+    s.Tensors.Coloring = vectors ? GlyphTensors::NONE : s.Tensors.Coloring;
+  }
+  if (vectors || s.Tensors.Covariances)
+  {
+    s.Sizing = {};
+  }
+  if (layer.Frame == GlyphFrame::Split)
+  {
+    s.ArrowReference = 0.0;
+  }
+  if (layer.Frame == GlyphFrame::Cross || s.Tensors.Axes)
+  {
+    s.ScaleFactor = std::abs(s.ScaleFactor);
+    s.Arrow.fixedHeads = false;
+  }
+  if (s.Tensors.Axes)
+  {
+    s.Scaling &= s.ScaleMode != COMPONENTS;
+    // Thin, so as to hide little, and of constant proportions: short ones are small.
+    s.Arrow.shaftRadius = 0.015f;
+    s.Arrow.tipRadius = 0.05f;
+    s.Arrow.tipLength = 0.15f;
+    s.Arrow.tipRounding = 0.0f;
+  }
+  return s;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Trails(int steps, double fading) const
 {
   rtglyphs::GlyphSettings settings = *this;
   settings.TrailSteps = steps;
-  settings.TrailJoined = translucent;
+  settings.TrailFading = fading;
   settings.Motion = rtglyphs::GlyphMotion::Settings();
   settings.TableSize = 1;
   if (settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColors::None || settings.Forms.ColorsByRadius())
@@ -194,21 +272,8 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Shells(const std::string& array
 {
   rtglyphs::GlyphSettings settings = *this;
   settings.Shell = true;
+  settings.Opacity = GlyphLayer::around;
   (settings.Tensors.On ? settings.Tensors.Array : settings.ScaleArray) = array;
-  return settings;
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
-{
-  rtglyphs::GlyphSettings settings = *this;
-  settings.Shape = rtg::Shape::Arrow;
-  settings.Tensors.On = true;
-  settings.Tensors.Cross = true;
-  settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
-  settings.ScaleFactor = std::abs(settings.ScaleFactor);
-  settings.Arrow.fixedHeads = false;
-  settings.Motion.AngularVelocity.clear();
   return settings;
 }
 
@@ -219,54 +284,4 @@ rtglyphs::GlyphSettings::Cylinder rtglyphs::GlyphSettings::CylinderOf(double mag
   const double power = 0.1 * number.Power, front = std::max(power, 0.0);
   return part == 0 ? Cylinder{ front, front + 0.1 * number.Digit, this->Arrow.shaftRadius }
                    : Cylinder{ std::min(power, 0.0), front, this->Arrow.tipRadius };
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Vectors() const
-{
-  rtglyphs::GlyphSettings settings = *this;
-  settings.Shape = rtg::Shape::Arrow;
-  settings.Sizing = {};
-  settings.Orient = settings.Scaling = settings.OfVectors = true;
-  settings.OrientationMode = DIRECTION;
-  settings.ScaleMode = MAGNITUDE;
-  settings.ScaleArray = settings.OrientationArray;
-  settings.RadiusArray.clear();
-  settings.Anchor = ORIGIN;
-  settings.Motion.AngularVelocity.clear();
-  return settings;
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::SplitVectors() const
-{
-  rtglyphs::GlyphSettings settings = this->Vectors();
-  settings.Shape = rtg::Shape::Cylinder;
-  settings.Sizing.Split = true;
-  settings.ArrowReference = 0.0;
-  return settings;
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceEllipsoids() const
-{
-  rtglyphs::GlyphSettings settings = *this;
-  settings.Shape = rtg::Shape::Sphere;
-  settings.Sizing = {};
-  settings.Tensors.On = settings.Tensors.Covariances = true;
-  settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
-  settings.Tensors.Thickness = rtg::thinnestTensorGlyph;
-  return settings;
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceAtTips(bool cones) const
-{
-  rtglyphs::GlyphSettings settings = this->ConfidenceEllipsoids();
-  settings.Shape = cones ? rtg::Shape::Cone : settings.Shape;
-  settings.Tensors.Cones = cones;
-  settings.Scaling = settings.OfVectors = false;
-  settings.Tensors.AtTips = true;
-  settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
-  return settings;
 }

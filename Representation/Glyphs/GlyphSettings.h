@@ -19,9 +19,40 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace rtglyphs
 {
+
+/**
+ * What gives glyphs their place, size and rotation, besides the factor and limits of size.
+ */
+enum class GlyphFrame
+{
+  Arrays,     // of scales and orientations
+  Vector,     // arrows of a vector and its length
+  Split,      // the cylinders of the digit and of the power of ten of a vector's length, along it
+  Tensor,     // eigenvalues and eigenvectors
+  Covariance, // of a Gaussian: the ellipsoid that holds a fraction of it
+  Cross,      // arrows along the eigenvectors, to both sides of the center, outward or inward
+  Axis,       // an arrow along the axis of the antisymmetric part (GlyphTensors::Axis)
+  Tip,        // the ellipsoid of a vector's covariance, round the vector's tip
+  Cones       // the cones of its tangents from the vector's tail (GlyphTensors::ConeOf)
+};
+
+/**
+ * What a GlyphShape consists of: first the glyphs themselves, then what surrounds them.
+ */
+struct GlyphLayer
+{
+  rtg::Shape Shape;
+  GlyphFrame Frame;
+  double Opacity; // of the display's
+
+  /// GLYPH_TYPE's shape is that of its source.
+  static std::vector<GlyphLayer> Of(int glyphShape);
+  static constexpr double around = 0.4; // opacity of what glyphs are seen through
+};
 
 /**
  * Settings of the magnitudes of glyphs (GlyphMagnitudes). An enumeration's type has its range.
@@ -35,6 +66,7 @@ struct GlyphScaling
   };
 
   rtg::Shape Shape = rtg::Shape::Sphere;
+  GlyphFrame Frame = GlyphFrame::Arrays;
   bool Scaling = false;
   std::string ScaleArray; // empty or "None": none
   RayTracedChoice<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
@@ -42,9 +74,29 @@ struct GlyphScaling
   GlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
   GlyphForms::Settings Forms;     // on: polynomials are the glyphs' shape and size
   GlyphMask Mask;
-  bool OfVectors = false; // the scale array is that of the directions, of 2 or 3 components; else there are no glyphs
 
   bool operator==(const GlyphScaling&) const = default;
+
+  ///@{
+  /// Whether the scale array is that of the directions, of 2 or 3 components, without which there are no glyphs; and
+  /// whether glyphs go with others of these, whose messages name what is wrong with the vectors.
+  bool IsOfVectors() const { return this->Frame == GlyphFrame::Vector || this->Frame == GlyphFrame::Split; }
+  bool IsAroundVectors() const { return this->Frame == GlyphFrame::Tip || this->Frame == GlyphFrame::Cones; }
+  ///@}
+
+  /// Glyphs of a point.
+  int Parts() const
+  {
+    return this->Frame == GlyphFrame::Cross                                  ? 6
+      : this->Frame == GlyphFrame::Split || this->Frame == GlyphFrame::Cones ? 2
+                                                                             : 1;
+  }
+
+  /// Scale of a glyph by its magnitude.
+  double Scale(double magnitude) const
+  {
+    return this->Frame == GlyphFrame::Split ? SplitNumber(magnitude).Length() : this->Sizing(magnitude);
+  }
 };
 
 struct GlyphSettings : GlyphScaling
@@ -94,6 +146,11 @@ struct GlyphSettings : GlyphScaling
   int TrailSteps = 0; // > 0: of the glyphs, the trails over so many earlier steps (GlyphTrails), or bounds with these
   bool TrailJoined = false; // inside them there is no surface, as translucent ones show
   bool Shell = false;       // around glyphs of other sizes, whose messages say what both lack
+  ///@{
+  // Instances do not depend on these: the opacity, of the display's, and how much of it trails lose to their last step.
+  double Opacity = 1.0;
+  double TrailFading = 0.0;
+  ///@}
 
   bool operator==(const GlyphSettings&) const = default;
 
@@ -154,7 +211,7 @@ struct GlyphSettings : GlyphScaling
   double MagnitudeOf(double number) const
   {
     return this->Tensors.Covariances ? 2.0 * GlyphTensors::RadiusOf(this->Tensors.Confidence) * std::sqrt(number)
-                                     : this->Sizing(number);
+                                     : this->Scale(number);
   }
 
   /**
@@ -174,23 +231,18 @@ struct GlyphSettings : GlyphScaling
   double AnchorShift() const;
 
   /**
-   * The arrows that show the antisymmetric parts of the tensors that glyphs of these settings show: from each glyph's
-   * center along GlyphTensors::Axis, as long as the factors and scales that make a tensor glyph's axis out of an
-   * eigenvalue make of the vector's length. Components of a scale array belong to the glyph's own axes and do not
+   * The same data in a layer, with all that does not apply there at its default. Only glyphs of Arrays, and ellipsoids,
+   * turn while the shutter is open. Axes are as long as the factors and scales that make a tensor glyph's axis out of
+   * an eigenvalue make of the vector's length; components of a scale array belong to the glyph's own axes and do not
    * count.
    */
-  GlyphSettings AxesOfTensors() const;
+  GlyphSettings In(const GlyphLayer& layer) const;
 
   /**
-   * The trails of the glyphs, translucent or not. They stand still, and have the glyphs' colors, where these are not of
-   * each place on the surface.
+   * The trails of the glyphs. They stand still, and have the glyphs' colors, where these are not of each place on the
+   * surface.
    */
-  GlyphSettings Trails(int steps, bool translucent) const;
-
-  /**
-   * Glyphs of a point: of a tensor's cross six arrows, of a split vector the cylinders of its digit and its power.
-   */
-  int Parts() const { return this->Sizing.Split ? 2 : this->Tensors.Parts(); }
+  GlyphSettings Trails(int steps, double fading) const;
 
   /**
    * One of the two cylinders that show a vector's magnitude, in unit glyphs along the vector from its point: the digit
@@ -204,32 +256,9 @@ struct GlyphSettings : GlyphScaling
   Cylinder CylinderOf(double magnitude, int part) const;
 
   /**
-   * Split vectors of these settings' directions, whose lengths are the magnitudes. They do not turn while the shutter
-   * is open.
-   */
-  GlyphSettings SplitVectors() const;
-
-  ///@{
-  /**
-   * Arrows of these settings' directions, whose lengths are the magnitudes; and the ellipsoids round their tips of the
-   * vectors' covariances, or cones of these. They do not turn while the shutter is open. And ellipsoids round the
-   * points, of covariances of their places.
-   */
-  GlyphSettings Vectors() const;
-  GlyphSettings ConfidenceAtTips(bool cones) const;
-  GlyphSettings ConfidenceEllipsoids() const;
-  ///@}
-
-  /**
    * Shells around the glyphs, of another array of tensors, or of sizes.
    */
   GlyphSettings Shells(const std::string& array) const;
-
-  /**
-   * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,
-   * and do not turn while the shutter is open.
-   */
-  GlyphSettings PrincipalAxes() const;
 };
 
 } // namespace rtglyphs

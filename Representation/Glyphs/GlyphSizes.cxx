@@ -35,7 +35,7 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
       this->LackingTensors = rtglyphs::RayTracedBlocks::Lacking(array);
     }
   }
-  if (scaling.OfVectors)
+  if (scaling.IsOfVectors())
   {
     const int components = this->ScaleArray ? this->ScaleArray->GetNumberOfComponents() : 0;
     this->Problem =
@@ -63,7 +63,7 @@ glm::dvec3 rtglyphs::GlyphMagnitudes::Scale(vtkIdType point, Tuples& tuples) con
   const int size = tuples.Scales.Size();
   return this->ByComponents
     ? this->Scaling.Sizing(glm::dvec3(tuple[0], tuple[1], size == 2 ? tuple[1] : tuple[2]))
-    : glm::dvec3(this->Scaling.Sizing(size == 1 ? std::abs(*tuple) : vtkMath::Norm(tuple, size)));
+    : glm::dvec3(this->Scaling.Scale(size == 1 ? std::abs(*tuple) : vtkMath::Norm(tuple, size)));
 }
 
 //----------------------------------------------------------------------------

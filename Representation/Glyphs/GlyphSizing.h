@@ -1,6 +1,6 @@
 /**
  * How numbers of the data become sizes of glyphs: a function of their magnitude, and limits of the result. Ratios
- * between the lengths of one glyph are kept. Or, of vectors, digit and power of ten of their magnitudes as two lengths.
+ * between the lengths of one glyph are kept.
  */
 #ifndef GlyphSizing_h
 #define GlyphSizing_h
@@ -32,6 +32,7 @@ struct SplitNumber
       ++this->Power;
     }
   }
+  double Length() const { return 0.1 * (this->Digit + std::abs(this->Power)); } // of its glyph
   int Power;
   double Digit;
 };
@@ -49,7 +50,6 @@ struct GlyphSizing
   RayTracedChoice<Functions, LINEAR, UNIT> Function;
   double Least = 0.0; // of a glyph's longest extent, in world units; 0: none
   double Most = 0.0;  // the same
-  bool Split = false; // a tenth for each one of SplitNumber's digit and power, in place of the function
 
   bool operator==(const GlyphSizing&) const = default;
 
@@ -58,11 +58,6 @@ struct GlyphSizing
    */
   double operator()(double magnitude) const
   {
-    if (this->Split)
-    {
-      const SplitNumber number(magnitude);
-      return 0.1 * (number.Digit + std::abs(number.Power));
-    }
     switch (this->Function)
     {
       case SQUARE_ROOT:

@@ -92,8 +92,6 @@ public:
     RayTracedChoice<TensorLayouts, VTK_ORDER, VOIGT> Layout{};
     bool Covariances = false; // of Gaussians; their glyphs are the ellipsoids that hold a fraction of each
     double Confidence = 0.95; // that fraction
-    bool AtTips = false;      // round the tips of vectors, which the glyphs' directions are, instead of the points
-    bool Cones = false;       // of these vectors cones from the points instead: ConeOf()
 
     bool operator==(const Source&) const = default;
   };
@@ -109,16 +107,11 @@ public:
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
     std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
     ///@}
-    bool Axes = false;  // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
-    bool Cross = false; // arrows along the eigenvectors, from the center or to it; Kind does not count
+    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
 
     bool operator==(const Settings&) const = default;
     bool HasRange() const { return this->On && (IsNumber(this->Coloring) || this->Coloring == EIGENVALUES); }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
-
-    /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector, with Cones one
-    /// of the largest and one of the least length.
-    int Parts() const { return this->On && this->Cross ? 6 : this->On && this->Cones ? 2 : 1; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
     Settings Effective() const;

@@ -43,7 +43,7 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
     [](const Settings& settings)
     {
       const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples need no mode
-      if (settings.Tensors.AtTips)
+      if (settings.IsAroundVectors())
       {
         return std::vector<int>{ 2, 3 };
       }
@@ -145,7 +145,7 @@ void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::G
   }
   for (const Description& how : table)
   {
-    if (how.IsWanted(settings) && !settings.Tensors.AtTips) // else the arrows have reported it
+    if (how.IsWanted(settings) && !settings.IsAroundVectors()) // else the arrows have reported it
     {
       report(settings.*how.Name, how.Property, how.OfBlock);
     }

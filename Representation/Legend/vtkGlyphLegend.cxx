@@ -124,7 +124,7 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, doubl
     glyphs.shape = rtg::Shape::Box;
     glyphs.sizes3 = { glm::vec3(size * this->Mesh[0], size * this->Mesh[1], size) };
   }
-  else if (settings.Sizing.Split)
+  else if (settings.Frame == rtglyphs::GlyphFrame::Split)
   {
     const auto half = static_cast<float>(std::sqrt(0.5));
     glyphs.centers.clear();
@@ -139,7 +139,7 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, doubl
       }
     }
   }
-  else if (settings.Parts() > 1)
+  else if (settings.Frame == rtglyphs::GlyphFrame::Cross)
   {
     const auto half = static_cast<float>(std::sqrt(0.5));
     glyphs.uniformSize *= 0.5f;
@@ -200,7 +200,8 @@ double vtkGlyphLegend::ChooseNumber(double pixelsPerLength, double most) const
     {
       const double number = digit * std::pow(10.0, exponent);
       const double pixels = this->Extent(number) * this->Scale * pixelsPerLength;
-      const double reach = this->Settings.Sizing.Split ? number : this->Settings.MagnitudeOf(number);
+      const double reach =
+        this->Settings.Frame == rtglyphs::GlyphFrame::Split ? number : this->Settings.MagnitudeOf(number);
       const bool reached = !(this->Largest > 0.0) || reach <= (1.0 + 1e-6) * this->Largest;
       if (pixels > 0.0 && pixels <= most && reached)
       {
@@ -247,7 +248,7 @@ bool vtkGlyphLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
 
   char text[64];
   const rtglyphs::SplitNumber split(number);
-  if (this->Settings.Sizing.Split)
+  if (this->Settings.Frame == rtglyphs::GlyphFrame::Split)
   {
     std::snprintf(text, sizeof(text), "%.6ge%d", split.Digit, split.Power);
   }

@@ -219,7 +219,7 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   }
   if (this->Settings.TrailSteps > 0)
   {
-    add(this->TrailFading);
+    add(this->Settings.TrailFading);
   }
   return state;
 }
@@ -418,7 +418,7 @@ void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColors& colors) const
 {
   const auto at = [&](std::uint16_t step)
   {
-    const double opacity = 1.0 - this->TrailFading * step / this->BuiltSettings.TrailSteps;
+    const double opacity = 1.0 - this->Settings.TrailFading * step / this->BuiltSettings.TrailSteps;
     return colors.each.empty() ? Pack({ this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], opacity })
                                : Pack({ 1.0, 1.0, 1.0, opacity });
   };

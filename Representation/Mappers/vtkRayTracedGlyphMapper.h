@@ -38,11 +38,6 @@ public:
   const std::array<double, 2>& GetTensorRange() const { return this->TensorRange; }
   ///@}
 
-  /**
-   * How much of their opacity trails (GlyphSettings::TrailSteps) lose to their last step, in [0, 1].
-   */
-  void SetTrailFading(double fading) { this->TrailFading = fading; }
-
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   const rtg::GlyphInstances* GetInstances() const override { return this->InstancesTaken ? nullptr : &this->Instances; }
@@ -59,7 +54,7 @@ protected:
   void BuildInstances(vtkPolyData* points, vtkActor* actor) override;
   void BuildColors(vtkPolyData* points) override;
   std::vector<vtkMTimeType> ColorState() const override;
-  bool NeedsSolidColor() const override { return !this->TrailEnds.empty() && this->TrailFading > 0.0; }
+  bool NeedsSolidColor() const override { return !this->TrailEnds.empty() && this->Settings.TrailFading > 0.0; }
 
 private:
   void EigenvaluesAsColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
@@ -80,7 +75,6 @@ private:
   rtg::GlyphInstances Instances;
   std::vector<float> Radii;                            // as GlyphInstanceBuilder has them
   std::vector<std::array<std::uint16_t, 2>> TrailEnds; // as GlyphTrails has them
-  double TrailFading = 0.0;
   bool InstancesTaken = false;
   std::size_t Digest = 0; // of the instances of InstanceVersion
 };

@@ -26,11 +26,6 @@
 
 using rtglyphs::GlyphShapes;
 
-namespace
-{
-constexpr double besideOpacity = 0.4; // of what surrounds glyphs, which are seen through it
-}
-
 //****************************************************************************
 // The data side
 //****************************************************************************
@@ -101,31 +96,30 @@ void rtglyphs::GlyphContent::CountPointsOfAllRanks(vtkPolyData* points)
 bool rtglyphs::GlyphContent::IsTranslucent() const
 {
   const bool table = this->TensorTable && this->Settings.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || this->FadesTrails() || GlyphShapes::IsUncertain(this->GlyphShape) ||
-    this->HasShells(this->MakeSettings()) || !rtglyphs::RayTracedArrays::IsNone(this->Settings.OpacityArray);
+  const std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(nullptr);
+  return table || !rtglyphs::RayTracedArrays::IsNone(this->Settings.OpacityArray) ||
+    std::any_of(layers.begin(), layers.end(),
+      [](const rtglyphs::GlyphSettings& layer) { return layer.Opacity < 1.0 || layer.TrailFading > 0.0; });
 }
 
 //----------------------------------------------------------------------------
 std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPolyData* points)
 {
-  rtglyphs::GlyphSettings settings = this->MakeSettings();
-  settings.TrailSteps = this->Common.Time.GetTrailSteps();
-  std::vector<rtglyphs::GlyphSettings> all{ settings };
-  if (settings.Shape == rtg::Shape::Mesh)
+  std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(points);
+  const auto& extents = this->Meshes.GetExtents();
+  if (layers.front().Shape == rtg::Shape::Mesh && extents.empty())
   {
-    all.clear();
-    for (const auto& corners : this->Meshes.GetExtents())
+    return {};
+  }
+  for (rtglyphs::GlyphSettings& layer : layers)
+  {
+    if (layer.Shape == rtg::Shape::Mesh)
     {
-      all.push_back(settings);
-      all.back().Mesh = corners;
+      layer.Mesh = extents[layer.TableEntry];
+      layer.TableSize = 1; // all points count
     }
   }
-  else
-  {
-    const std::vector<rtglyphs::GlyphSettings> beside = this->Beside(points, settings);
-    all.insert(all.end(), beside.begin(), beside.end());
-  }
-  return all;
+  return layers;
 }
 
 //----------------------------------------------------------------------------
@@ -134,10 +128,10 @@ vtkDataObject* rtglyphs::GlyphContent::Reduce(vtkDataObject* data, const double 
 {
   constexpr double most = 256.0; // cells along the longest side
   vtkPolyData* points = this->Common.Blocks.GetPoints();
-  rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(points);
+  rtglyphs::GlyphSettings settings = layers.front();
   const double longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  if (!points || !rtg::IsPositive(longest) || this->HasTrails() || settings.Mask.On || settings.OfVectors ||
-    settings.Parts() > 1 || this->Meshes.GetNumberOfMeshes() > 1 || !this->Beside(points, settings).empty())
+  if (!points || !rtg::IsPositive(longest) || settings.Mask.On || settings.Parts() > 1 || layers.size() > 1)
   {
     return nullptr;
   }
@@ -200,7 +194,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
-    settings.Sizing.Split = false; // the magnitudes themselves
+    settings.Frame = GlyphFrame::Vector; // the magnitudes themselves
     rtglyphs::RayTracedRanks::Together(
       [&]()
       {
@@ -238,38 +232,41 @@ vtkSmartPointer<vtkRayTracedMapper> rtglyphs::GlyphContent::MakeMapper() const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphContent::HasShells(const rtglyphs::GlyphSettings& settings) const
+// The glyphs, and what goes with them: further meshes of a table, layers of the shape, shells, arrows of the
+// antisymmetric parts of tensors, trails.
+std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::MakeLayers(vtkPolyData* points) const
 {
-  return !rtglyphs::RayTracedArrays::IsNone(this->ShellArray) && (settings.Tensors.On || settings.Scaling) &&
-    settings.Parts() == 1 && !settings.OfVectors && settings.Shape != rtg::Shape::Mesh;
+  std::vector<rtglyphs::GlyphSettings> layers{ this->MakeSettings() };
+  const rtglyphs::GlyphSettings glyphs = layers.front();
+  for (int entry = 1; entry < glyphs.TableSize; ++entry)
+  {
+    layers.push_back(glyphs);
+    layers.back().TableEntry = entry;
+  }
+  const std::vector<rtglyphs::GlyphLayer> ofShape = rtglyphs::GlyphLayer::Of(this->GlyphShape);
+  for (std::size_t i = 1; i < ofShape.size(); ++i)
+  {
+    layers.push_back(glyphs.In(ofShape[i]));
+  }
+  if (!rtglyphs::RayTracedArrays::IsNone(this->ShellArray) && (glyphs.Tensors.On || glyphs.Scaling) &&
+    glyphs.Parts() == 1 && !glyphs.IsOfVectors() && glyphs.Shape != rtg::Shape::Mesh)
+  {
+    layers.push_back(glyphs.Shells(this->ShellArray));
+  }
+  vtkDataArray* tensors = this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, glyphs.Tensors) : nullptr;
+  if (tensors && tensors->GetNumberOfComponents() == 9 && !glyphs.Tensors.Covariances)
+  {
+    layers.push_back(glyphs.In({ rtg::Shape::Arrow, GlyphFrame::Axis, 1.0 }));
+  }
+  if (this->HasTrails())
+  {
+    layers.push_back(glyphs.Trails(this->Common.Time.GetTrailSteps(), this->TrailFading));
+  }
+  return layers;
 }
 
 //----------------------------------------------------------------------------
-// Glyphs that go with others: what surrounds them, arrows of the antisymmetric parts of tensors.
-std::vector<rtglyphs::GlyphSettings>
-rtglyphs::GlyphContent::Beside(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
-{
-  std::vector<rtglyphs::GlyphSettings> beside;
-  if (GlyphShapes::IsUncertain(this->GlyphShape))
-  {
-    beside.push_back(settings.ConfidenceAtTips(this->GlyphShape == GlyphShapes::UNCERTAIN_DIRECTION));
-  }
-  if (this->HasShells(settings))
-  {
-    beside.push_back(settings.Shells(this->ShellArray));
-  }
-  vtkDataArray* tensors =
-    this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
-  if (tensors && tensors->GetNumberOfComponents() == 9 && !settings.Tensors.Covariances)
-  {
-    beside.push_back(settings.AxesOfTensors());
-  }
-  return beside;
-}
-
-//----------------------------------------------------------------------------
-// Mesh 0 of a table is drawn by the main mapper, mesh i by layer i - 1. What stands beside the glyphs and
-// trails are layers, too.
+// The main mapper draws the first layer.
 void rtglyphs::GlyphContent::Configure(const Frame& frame)
 {
   // A selection may come between an update and the delivery.
@@ -278,56 +275,33 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   {
     this->Meshes.Take(form);
   }
-  rtglyphs::GlyphSettings settings = this->MakeSettings();
-  const bool usesTable = this->Meshes.GetNumberOfMeshes() > 1 && settings.Shape == rtg::Shape::Mesh;
-  settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfMeshes()) : 1;
+  std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(frame.Points);
+  const rtglyphs::GlyphSettings& glyphs = layers.front();
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->Common.Parts.Mapper.Get());
-  main->SetSettings(settings, this->Meshes.GetMesh(0));
+  if (glyphs.HasNumberRange() && glyphs.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
+  {
+    main->SetTensorRange(this->ShownRange.Get(frame.Points, glyphs, frame.Collective));
+  }
+  main->SetSettings(glyphs, this->Meshes.GetMesh(0));
   main->SetTensorTable(this->TensorTable);
-  if (settings.HasNumberRange() && settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
-  {
-    main->SetTensorRange(this->ShownRange.Get(frame.Points, settings, frame.Collective));
-  }
   main->SetSelectionColor(this->Common.SelectionColor);
-  this->UpdateLegend(settings);
-  this->Common.Key->SetColoring(settings.DirectionColoring);
+  this->UpdateLegend(glyphs);
+  this->Common.Key->SetColoring(glyphs.DirectionColoring);
 
-  const std::vector<rtglyphs::GlyphSettings> beside = this->Beside(frame.Points, settings);
-  const bool trails = this->HasTrails();
-  const int tableLayers = settings.TableSize - 1,
-            layers = tableLayers + static_cast<int>(beside.size()) + (trails ? 1 : 0);
-  this->ResizeLayers(this->Layers, frame.Representation, frame.View, layers);
-  for (int i = 0; i < layers; ++i)
+  this->ResizeLayers(this->Layers, frame.Representation, frame.View, layers.size() - 1);
+  for (std::size_t i = 1; i < layers.size(); ++i)
   {
-    this->Layers[i].Follow(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
-  }
-  if (trails)
-  {
-    vtkRayTracedGlyphMapper* mapper = this->Layers[layers - 1].Mapper;
-    mapper->SetSettings(settings.Trails(this->Common.Time.GetTrailSteps(), frame.Translucent), this->Meshes.GetMesh(0));
-    mapper->SetTrailFading(this->TrailFading);
-    mapper->SetTensorTable(this->TensorTable);
-    mapper->SetTensorRange(main->GetTensorRange());
-  }
-  for (int entry = 1; entry < settings.TableSize; ++entry)
-  {
-    settings.TableEntry = entry;
-    this->Layers[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetMesh(entry));
-  }
-  for (std::size_t i = 0; i < beside.size(); ++i)
-  {
-    rtglyphs::GlyphLayers::Layer& layer = this->Layers[tableLayers + i];
-    layer.Mapper->SetSettings(beside[i], nullptr);
+    rtglyphs::GlyphLayers::Layer& layer = this->Layers[i - 1];
+    layer.Follow(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
+    layers[i].TrailJoined = layers[i].TrailSteps > 0 && frame.Translucent;
+    layer.Mapper->SetSettings(layers[i], this->Meshes.GetMesh(layers[i].TableEntry));
+    layer.Mapper->SetTensorTable(this->TensorTable);
+    layer.Mapper->SetTensorRange(main->GetTensorRange());
     vtkProperty* property = layer.Actor->GetProperty();
-    if (beside[i].Tensors.Axes)
+    property->SetOpacity(layers[i].Opacity * property->GetOpacity());
+    if (layers[i].Tensors.Axes)
     {
       property->SetColor(0.95, 0.8, 0.2); // TensorAxis
-    }
-    else
-    {
-      layer.Mapper->SetTensorTable(this->TensorTable);
-      layer.Mapper->SetTensorRange(main->GetTensorRange());
-      property->SetOpacity(besideOpacity * property->GetOpacity());
     }
   }
 }
@@ -431,7 +405,6 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
   settings.Arrow = source.Arrow;
   settings.Arrow.fixedHeads = this->FixedHeads;
   settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
-  settings.Tensors.On = GlyphShapes::IsTensor(this->GlyphShape);
   const bool polynomial = GlyphShapes::IsPolynomial(this->GlyphShape);
   if (!polynomial && settings.Tensors.Coloring == rtglyphs::GlyphTensors::RADIUS)
   {
@@ -452,31 +425,13 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
       settings.DirectionColoring = rtglyphs::DirectionColors::AXES;
     }
   }
-  if (this->GlyphShape == GlyphShapes::SPLIT_VECTOR)
-  {
-    return settings.SplitVectors();
-  }
-  if (GlyphShapes::IsUncertain(this->GlyphShape))
-  {
-    return settings.Vectors();
-  }
-  if (this->GlyphShape == GlyphShapes::CONFIDENCE_ELLIPSOID)
-  {
-    return settings.ConfidenceEllipsoids();
-  }
-  if (this->GlyphShape == GlyphShapes::PRINCIPAL_AXES)
-  {
-    return settings.PrincipalAxes();
-  }
-  if (settings.Tensors.On)
+  settings = settings.In(rtglyphs::GlyphLayer::Of(this->GlyphShape).front());
+  if (GlyphShapes::IsTensor(this->GlyphShape))
   {
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - GlyphShapes::TENSOR_ELLIPSOID);
-    settings.Shape =
-      this->GlyphShape == GlyphShapes::TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
   }
   else if (polynomial)
   {
-    settings.Shape = rtg::Shape::Polynomial;
     settings.Forms.On = true;
     settings.Forms.Kind = this->GlyphShape - GlyphShapes::SPHERICAL_HARMONICS;
     settings.Forms.Array =
@@ -484,14 +439,12 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
     settings.Forms.Layout = settings.Tensors.Layout;
     settings.Forms.Coloring = settings.Tensors.Coloring;
   }
-  else
+  else if (this->GlyphShape == GlyphShapes::GLYPH_TYPE)
   {
-    settings.Shape = this->GlyphShape == GlyphShapes::CAPSULE ? rtg::Shape::Capsule
-      : this->GlyphShape == GlyphShapes::SUPERQUADRIC         ? rtg::Shape::Superquadric
-      : this->GlyphShape == GlyphShapes::NESTED_SUPERQUADRIC  ? rtg::Shape::NestedSuperquadric
-      : this->Meshes.GetNumberOfMeshes() > 1                  ? rtg::Shape::Mesh
-                                                              : source.Shape;
-    settings.UnitSize = this->GlyphShape == GlyphShapes::GLYPH_TYPE ? source.UnitSize : settings.UnitSize;
+    const bool table = this->Meshes.GetNumberOfMeshes() > 1;
+    settings.Shape = table ? rtg::Shape::Mesh : source.Shape;
+    settings.TableSize = table ? static_cast<int>(this->Meshes.GetNumberOfMeshes()) : 1;
+    settings.UnitSize = source.UnitSize;
   }
   return settings;
 }

@@ -92,9 +92,7 @@ public:
 
 private:
   GlyphSettings MakeSettings() const;
-  bool HasShells(const GlyphSettings& settings) const;
-  bool FadesTrails() const { return this->HasTrails() && this->TrailFading > 0.0; }
-  std::vector<GlyphSettings> Beside(vtkPolyData* points, const GlyphSettings& settings) const;
+  std::vector<GlyphSettings> MakeLayers(vtkPolyData* points) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points, double time);
   void UpdateDataSizes(vtkPolyData* points);
@@ -110,7 +108,7 @@ private:
   GlyphTensorRange NumberRange; // of the data
   GlyphTensorRange ShownRange;  // of what is delivered to be rendered
   GlyphMeshes Meshes;
-  GlyphLayers Layers; // what stands beside the glyphs, further meshes of a table
+  GlyphLayers Layers; // of MakeLayers() all but the first
   GlyphReduction Reduction;
   GlyphLayers Reduced; // at most one, instead of all others
 };

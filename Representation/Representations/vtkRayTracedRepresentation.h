@@ -250,7 +250,7 @@ public:
   ///@}
 
   /**
-   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors). Default
+   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphFrame::Axis). Default
    * is off.
    */
   void SetGlyphTensorAxis(bool on) { this->Glyphs.TensorAxis = on; }
