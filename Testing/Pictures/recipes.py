@@ -17,7 +17,9 @@ import session  # noqa: E402
 WIDTH, HEIGHT = 400, 300
 #: recipe -> direction of view and upward direction; others are seen from above at the front
 FROM = {"many_particles": ((0.0, -1.0, 0.15), (0.0, 0.0, 1.0)), "diffusion_tensors": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)),
-        "openfoam_cells": ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0))}
+        "openfoam_cells": ((0.0, -0.5, 1.0), (0.0, 1.0, 0.0)), "calculix_stress": ((-0.6, -0.2, 0.7), (0.0, 0.0, 1.0))}
+#: recipe -> view angle in degrees; others have 27
+ANGLES = {"calculix_stress": 21.5}
 
 
 def main():
@@ -38,7 +40,7 @@ def main():
             position, up = FROM.get(name, ((0.45, -0.8, 0.5), (0.0, 0.0, 1.0)))
             view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = (0.0, 0.0, 0.0), position, up
             pv.ResetCamera(view)
-            view.CameraViewAngle = 27.0
+            view.CameraViewAngle = ANGLES.get(name, 27.0)
             pv.SaveScreenshot(os.path.join(folder, name + ".png"), view, ImageResolution=[WIDTH, HEIGHT])
         pv.Delete(view)
         for source in list(pv.GetSources().values()):
