@@ -77,6 +77,27 @@ def main():
     failures += parts(window, view, reader, shown)
     failures += sized(window, view, reader, shown)
     failures += buttons(window, view, reader, shown)
+    failures += molecule(window, view)
+    return failures
+
+
+def molecule(window, view):
+    """Atoms are ray traced when the panel's list says so, with radii of their elements, and without ParaView's rows, which have no effect on them."""
+    with open(session.output("gui-molecule.xyz"), "w", encoding="ascii") as file:
+        file.write("2\n\nO 0 0 0\nH 0.96 0 0\n")
+    source = pv.XYZReader(FileName=file.name)
+    shown = pv.Show(source, view)
+    pv.SetActiveSource(source)
+    failures = []
+    for representation in ("Ray Traced Glyphs", "Molecule"):
+        window.wait(lambda: window.choose("displayRepresentation/comboBox", representation), 5)
+        rows = ("Scale Factor", ) if representation == "Ray Traced Glyphs" else ("Preset", )
+        if not window.wait(lambda: [label for label in window.labels("propertiesPanel") if label in ("Preset", "Scale Factor")] == list(rows), 5):
+            failures.append("the panel of a molecule shows for %s: %s" % (representation, window.labels("propertiesPanel")))
+    found = [shown.SMProxy.GetProperty(name).GetElement(0) for name in ("SelectScaleArray", "ScaleFactor")]
+    if found != ["Van der Waals radii of Atomic Numbers", 2.0]:
+        failures.append("atoms have the sizes %s" % found)
+    pv.Delete(source)
     return failures
 
 
