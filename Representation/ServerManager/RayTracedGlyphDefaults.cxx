@@ -112,18 +112,17 @@ void ExplainOrder(vtkSMProxy* glyphs, bool tensors, std::vector<std::string>& se
 void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
 {
   const auto arrays = ListOf(glyphs, "SelectScaleArray")->Listed();
-  const auto isAround = [&arrays](const std::string& name, const std::string& coordinate)
+  const auto isAround = [&arrays](const std::string& name)
   {
-    return name.ends_with(coordinate) &&
+    const std::size_t coordinate = name.ends_with("theta") ? 5 : name.ends_with("phi") ? 3 : 0;
+    return coordinate > 0 &&
       std::any_of(arrays.begin(), arrays.end(),
-        [radial = name.substr(0, name.size() - coordinate.size()) + 'r'](const auto& array)
-        { return array.Name == radial; });
+        [&](const auto& array) { return array.Name == name.substr(0, name.size() - coordinate) + 'r'; });
   };
   std::string angles;
   for (const auto& array : arrays)
   {
-    const bool found =
-      rtglyphs::GlyphArrayRoles::IsAngle(array) || isAround(array.Name, "theta") || isAround(array.Name, "phi");
+    const bool found = rtglyphs::GlyphArrayRoles::IsAngle(array) || isAround(array.Name);
     angles += found ? (angles.empty() ? "" : ", ") + array.Name : "";
   }
   if (!angles.empty())
@@ -252,7 +251,7 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
     if (group->GetPanelWidget() && strcmp(group->GetPanelWidget(), "MoleculeParameters") == 0)
     {
       const std::string own = "<Hints>" + where("Representation", "Molecule") + "</Hints>";
-      group->SetHints(vtkSmartPointer<vtkPVXMLElement>(vtkPVXMLParser::ParseXML(own.c_str())));
+      group->SetHints(vtkPVXMLParser::ParseXML(own.c_str()));
     }
   }
 }
