@@ -217,8 +217,7 @@ RTG_FN real3 SurfaceNormal(const Glyph glyph, const real3 p, const real3 gradien
   return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
 }
 
-RTG_FN GlyphHit
-HitAt(const SurfaceCrossing crossing, const GlyphRay ray, const Glyph glyph, const bool wantsNormal)
+RTG_FN GlyphHit HitAt(const SurfaceCrossing crossing, const GlyphRay ray, const Glyph glyph, const bool wantsNormal)
 {
   return GlyphHit(crossing.found, crossing.leaves, crossing.t,
     crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction);

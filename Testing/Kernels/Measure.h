@@ -60,16 +60,16 @@ struct Verdict
   bool excused = false; ///< something is beyond its bound, but so near a silhouette that it does not count
   bool falseHit = false, falseMiss = false; ///< outside the band only
   bool nearSilhouette = false;              ///< something is beyond its bound, and the ray is in the band
-  bool wrongSide = false; ///< said to be left where it is entered, or entered where it is left, also in the band
-  bool bothHit = false;                     ///< and t is compared
-  double t = 0.0;                           ///< of the reference's crossing
-  double ulps = 0.0;                        ///< |dt| in ulps of t
-  double sizes = 0.0;                       ///< |dt| in glyph sizes
-  double excess = 0.0;                      ///< |dt| over the bound: at most 1
-  double distanceExcess = 0.0;              ///< of the point found from the surface, likewise
-  bool hasNormal = false;                   ///< the normal is compared: not near an edge, nor excused
-  double radians = 0.0;                     ///< error of the normal
-  double normalExcess = 0.0;                ///< the same over its bound
+  bool wrongSide = false;      ///< said to be left where it is entered, or entered where it is left, also in the band
+  bool bothHit = false;        ///< and t is compared
+  double t = 0.0;              ///< of the reference's crossing
+  double ulps = 0.0;           ///< |dt| in ulps of t
+  double sizes = 0.0;          ///< |dt| in glyph sizes
+  double excess = 0.0;         ///< |dt| over the bound: at most 1
+  double distanceExcess = 0.0; ///< of the point found from the surface, likewise
+  bool hasNormal = false;      ///< the normal is compared: not near an edge, nor excused
+  double radians = 0.0;        ///< error of the normal
+  double normalExcess = 0.0;   ///< the same over its bound
 };
 
 /// `Real` is the arithmetic whose ulps count. The ray's range is [tMin, infinity). `exact` is what
