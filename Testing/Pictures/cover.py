@@ -56,7 +56,7 @@ def vessel(data, folder):
     series = at(-1, folder, "injection.vtk.series")
     figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4,
            Section="Plane", SectionOrigin=[0.0, 0.0, -0.5], SectionNormal=[0.0, 0.0, -1.0])  # lets light in from above
-    figure(series, "Arrow", samples=14, view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", (0.0, 5.0), "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
+    figure(series, "Arrow", samples=12, view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", (0.0, 5.0), "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
            SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
            camera=((1.2, 5.6, -3.4), (1.62, 0.0, 0.11)), up=(0.0, 0.0, -1.0), angle=21.5,
            **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
