@@ -8,6 +8,8 @@ representation has a process of its own. First picture: from data in memory unti
 before in that process by a scene of few points. Of that, information: ParaView's search for the ranges of all arrays, which it does for data of
 any representation before that has them. A frame: the camera turns by a degree. Turning: the same while a window asks for
 speed. Memory: the largest that the process ever held (VmHWM), and that before the data are shown. Written to FOLDER: scale.csv.
+Kind reduced: the spheres that ParaView's level of detail shows, in the first picture, too; of them also how many there are and how far sums over the
+values and areas that they stand for are from those over all points, as fractions.
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
 import argparse
@@ -17,11 +19,12 @@ import time
 
 import numpy
 
-from frames import begin, figures_of, memory, source, turning, work, write_table
+from frames import begin, cpu_seconds, figures_of, memory, source, turning, work, write_table
 
 KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
+REDUCED = "reduced"
 #: those that are measured of each number of points
-PLAN = {"spheres": 10**9, "arrows": 10**7, "signed tensors": 10**6, "Point Gaussian": 10**9, "3D Glyphs": 10**6}
+PLAN = {"spheres": 10**9, REDUCED: 10**9, "arrows": 10**7, "signed tensors": 10**6, "Point Gaussian": 10**9, "3D Glyphs": 10**6}
 
 
 def points_of(count, kind):
@@ -70,7 +73,7 @@ def show(pv, producer, view, kind):
         shown.SetRepresentationType("Ray Traced Glyphs")
         shown.SamplesPerPixel = 1
         shown.ScaleFactor = 1.0
-        if kind == "spheres":
+        if kind in ("spheres", REDUCED):
             shown.GlyphType, shown.Orient = "Sphere", 0
             shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "diameter"
         elif kind == "arrows":
@@ -81,6 +84,17 @@ def show(pv, producer, view, kind):
     return shown
 
 
+def reduction(data, shown):
+    """Number of glyphs that stand for all, and errors of sums."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    left = shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(1).NewIterator().GetCurrentDataObject().GetPointData()
+    numbers, value = (vtk_to_numpy(left.GetArray(name)).astype(float) for name in ("vtkRayTraced_Reduced", "value"))
+    values, diameters = (vtk_to_numpy(data.GetPointData().GetArray(name)) for name in ("value", "diameter"))
+    return {"reduced": len(value), "error of values": abs((numbers[:, 0] * value).sum() / values.sum(dtype=float) - 1.0),
+            "error of areas": abs(numbers[:, 1].sum() / (diameters.astype(float) ** 2).sum() - 1.0)}
+
+
 def measure(count, kind, size, frames):
     """The figures of this process."""
     import paraview.simple as pv
@@ -89,19 +103,24 @@ def measure(count, kind, size, frames):
     view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 3.2], [0.5, 0.5, 0.5]
     warming = show(pv, source(points_of(100, kind)), view, kind)
     pv.Render(view)
+    view.SMProxy.InteractiveRender()
     pv.Delete(warming)
     data = points_of(count, kind)
     before = memory("VmRSS")
-    start = time.monotonic()
+    start, start_cpu = time.monotonic(), cpu_seconds()
     producer = source(data)
-    information = time.monotonic() - start
+    information, information_cpu = time.monotonic() - start, cpu_seconds() - start_cpu
     shown = show(pv, producer, view, kind)
-    pv.Render(view)
-    first = time.monotonic() - start
+    if kind == REDUCED:
+        view.SMProxy.InteractiveRender()
+    else:
+        pv.Render(view)
+    first, first_cpu = time.monotonic() - start, cpu_seconds() - start_cpu
+    found = reduction(data, shown) if kind == REDUCED else {}
     # The window asks so of its renders while a button is down.
     view.SMProxy.InteractiveRender()
-    figures = {"first": first, "information": information, **turning(view.SMProxy.InteractiveRender, frames, "turning", "turning cpu"),
-               **turning(lambda: pv.Render(view), frames), "before bytes": before, "peak bytes": memory("VmHWM"), "end bytes": memory("VmRSS")}
+    figures = {"first": first, "information": information, "first cpu": first_cpu, "information cpu": information_cpu, **found,
+               **turning(view.SMProxy.InteractiveRender, frames, "turning", "turning cpu"), **turning(lambda: pv.Render(view), frames), "before bytes": before, "peak bytes": memory("VmHWM"), "end bytes": memory("VmRSS")}
     if kind not in ("Point Gaussian", "3D Glyphs"):
         figures.update(work(shown))
     print(json.dumps(figures), flush=True)
@@ -113,7 +132,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
     parser.add_argument("--counts", default="1000,10000,100000,1000000,10000000,100000000")
-    parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("--kinds", default=",".join(KINDS), help="also: " + REDUCED)
     parser.add_argument("--size", type=int, default=1200)
     parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("--limit", type=float, default=900.0)

@@ -166,6 +166,18 @@ def scale():
                      for row in rows("scale") if row["count"] >= 1e6])
 
 
+def reduced():
+    """The first picture by ParaView's level of detail, without the search for ranges."""
+    def seconds(row, clock):
+        return row["first" + clock] - row["information" + clock]
+    found = {(row["kind"], row["count"]): row for row in rows("reduced")}
+    pairs = [(row, found["spheres", count]) for (kind, count), row in found.items() if kind != "spheres"]
+    return markdown(["spheres", "shown instead", "first picture: s", "of all: s", "ratio", "CPU ratio", "error of sums of values", "of areas", "while turning: s"], [
+        ["%d million" % (row["count"] / 1e6), "%.1f million" % (row["reduced"] / 1e6), digits(seconds(row, ""), 3), digits(seconds(whole, ""), 3)] +
+        ["%.2f" % (seconds(row, clock) / seconds(whole, clock)) for clock in ("", " cpu")] +
+        ["%.0e" % max(row["error of values"], 1e-15), "%.0e" % row["error of areas"], digits(row["turning"], 2)] for row, whole in pairs])
+
+
 #: of a point's data in scale.py
 POINT_BYTES = {"spheres": 20, "arrows": 32, "signed tensors": 44, "Point Gaussian": 20, "3D Glyphs": 20}
 #: what the device holds besides glyphs: pictures of 1200 x 1200 pixels
@@ -297,6 +309,7 @@ TABLES = {
     "build": (DETAILS, ["build"], build),
     "build-picture": (DETAILS, ["build-picture"], build_picture),
     "scale": (BENCHMARKS, ["scale"], scale),
+    "reduced": (BENCHMARKS, ["reduced"], reduced),
     "slopes": (DETAILS, ["scale"], slopes),
     "ranks": (DETAILS, ["ranks"], ranks),
     "large-data": (DETAILS, ["large-data"], large_data),

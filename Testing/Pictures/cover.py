@@ -56,7 +56,7 @@ def vessel(data, folder):
     series = at(-1, folder, "injection.vtk.series")
     figure(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), "Surface", quality="Path Tracing", DiffuseColor=[0.86, 0.87, 0.89], Exposure=0.4,
            Section="Plane", SectionOrigin=[0.0, 0.0, -0.5], SectionNormal=[0.0, 0.0, -1.0])  # lets light in from above
-    figure(series, "Arrow", view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", (0.0, 5.0), "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
+    figure(series, "Arrow", samples=12, view=pv.GetActiveView(), quality="Path Tracing", bar=("velocity", (0.0, 5.0), "speed", RAINBOW, (0.62, 0.02)), Orient=1, Scaling=1,
            SelectOrientationVectors="velocity", ScaleMode="Magnitude", SelectScaleArray="velocity", ScaleFactor=0.045, ArrowHeads="Fixed", ArrowReferenceMagnitude=2.2,
            camera=((1.2, 5.6, -3.4), (1.62, 0.0, 0.11)), up=(0.0, 0.0, -1.0), angle=21.5,
            **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
@@ -99,11 +99,23 @@ def periodic(data, _):
            camera=((60.0, -48.0, 60.0), (12.6, 11.6, 10.5)), angle=28.0)
 
 
+def wrapped(*_):
+    """Balls that fly through the sides of a periodic box while the shutter is open: streaks are whole on both sides of each border."""
+    random = numpy.random.default_rng(8)
+    places, way = random.uniform(-0.5, 0.5, (60, 3)) * (1.6, 1.0, 0.3), numpy.array([0.5, 0.22, 0.0])
+    balls = simulation.source(places, velocity=way + random.normal(scale=0.1, size=(60, 3)), y=places[:, 1], size=numpy.full(60, 0.07))
+    figure(balls, "Sphere", samples=48, bar=("y", (-0.5, 0.5), "y", RAINBOW, (0.63, 0.02)), Orient=0, ScaleMode="Magnitude", SelectScaleArray="size", ScaleFactor=1.0, GroundShadow="None", PeriodicBoundary=1,
+           PeriodicVectors=[1.6, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.3], PeriodicImages=[1, 1, 0], MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25, ShutterOpening="Forward",
+           camera=((0.0, 0.0, 4.5), (0.0, 0.0, 0.0)), up=(0.0, 1.0, 0.0), angle=26.0)
+    box = pv.Show(pv.Box(XLength=1.6, YLength=1.0, ZLength=0.3), pv.GetActiveView(), Representation="Outline")
+    box.AmbientColor, box.LineWidth = [0.3] * 3, 2.0
+
+
 def fibers(_, folder):
     """Diffusion tensors of a bundle of fibers along a helix, by principal direction, with occlusion and shadows."""
     inside = pv.Threshold(Input=pv.OpenDataFile(made("helix.py", os.path.join(folder, "helix.vtk"), "40")),
                           Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
-    figure(inside, "Tensor Superquadric", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz", GlyphDirectionColoring="Axes", ScaleFactor=0.055,
+    figure(inside, "Tensor Superquadric", samples=14, GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz", GlyphDirectionColoring="Axes", ScaleFactor=0.055,
            GroundShadow="Below", camera=((1.9, -3.6, -0.9), (-0.02, 0.0, 0.03)), up=(1.0, 0.0, 0.0), angle=26.5)
 
 
@@ -112,7 +124,7 @@ def chains(data, folder):
     file = made("contacts.py", os.path.join(folder, "contacts.vtk"), source=[os.path.join(data, "impact", "impact_02.vtk")])
     strong = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["CELLS", "force"], LowerThreshold=40.0, UpperThreshold=1e9)
     thick = pv.Calculator(Input=strong, AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
-    figure(thick, "Tubes", samples=40, bar=("force", (0.0, 990.0), "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
+    figure(thick, "Tubes", samples=32, bar=("force", (0.0, 990.0), "force between two grains", EMBER, (0.63, 0.86)), TubeRadiusArray="root", TubeRadius=0.008,
            GroundShadow="Below", camera=((8.6, -15.2, 13.0), (14.2, 13.5, 2.2)), angle=25.0, lens=1.0)
 
 
@@ -174,7 +186,7 @@ def detail(*_):
 
 
 #: the first four are those of the README and of demo.sh
-PICTURES = {draw.__name__: draw for draw in (chains, fibers, vessel, motion, stress, packing, superquadrics, impact, context, trails, crossing, periodic, streamlines, detail)}
+PICTURES = {draw.__name__: draw for draw in (chains, fibers, vessel, motion, stress, packing, superquadrics, impact, context, trails, crossing, periodic, wrapped, streamlines, detail)}
 
 
 

@@ -55,7 +55,7 @@ def colors_of(name):
     """The colors that a picture's table has, or None."""
     for table, names in TABLES.items():
         if name in names.split():
-            nodes, at = numpy.reshape(table, (-1, 4)), numpy.linspace(0.0, 1.0, 256)
+            nodes, at = numpy.reshape(table, (-1, 4)), numpy.linspace(0.0, 1.0, 101)
             return numpy.stack([numpy.interp(at, nodes[:, 0], nodes[:, 1 + i]) for i in range(3)], axis=1)
     return None
 
@@ -73,6 +73,8 @@ def pixels_of(path):
     levels = session.pixels_of(reader.GetOutput())[..., :3].astype(int)
     random = numpy.random.default_rng(1)
     rows, columns = (random.integers(2, size - 2, LOOKED_AT) for size in levels.shape[:2])
+    there = levels[rows, columns]
+    rows, columns = (at[there.max(1) - there.min(1) > SATURATION * there.max(1)] for at in (rows, columns))
     near = numpy.stack([levels[rows + i, columns + j] for i in range(-2, 3) for j in range(-2, 3)]).reshape(5, 5, -1, 3)
     colored = near.max(3) - near.min(3) > SATURATION * near.max(3)
     around = near[1:4, 1:4].reshape(9, -1, 3)
