@@ -13,6 +13,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QProgressDialog>
+#include <QToolBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -117,14 +118,17 @@ pqProgressWidget* pqRayTracedGlyphsAbort::progressBar()
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsAbort::abortPressed()
 {
-  if (this->Listening)
-  {
-    this->Aborted = true;
-  }
-  else
+  if (!this->abort())
   {
     Q_EMIT this->pressed();
   }
+}
+
+//----------------------------------------------------------------------------
+bool pqRayTracedGlyphsAbort::abort()
+{
+  this->Aborted |= this->Listening;
+  return this->Listening;
 }
 
 //----------------------------------------------------------------------------
@@ -160,6 +164,12 @@ void pqRayTracedGlyphsAbort::Listen()
   {
     bar->enableAbort(true);
   }
+  if (QWidget* window = this->Stop ? nullptr : pqCoreUtilities::mainWidget())
+  {
+    const auto* toolBar = window->findChild<QToolBar*>("RayTracedGlyphs");
+    this->Stop = toolBar ? toolBar->findChild<QToolButton*>("Stop") : nullptr;
+  }
+  Q_EMIT this->listening();
   qApp->installEventFilter(this);
   pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
   const bool before = manager->unblockEvents(true);
@@ -209,8 +219,9 @@ bool pqRayTracedGlyphsAbort::eventFilter(QObject* object, QEvent* event)
   }
   // A window hands what the mouse does on to its widgets: that is where it is looked at.
   const bool mouse = dynamic_cast<QMouseEvent*>(event) != nullptr;
-  const bool wanted = object->isWindowType() ? mouse
-                                             : isWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) ||
+  const bool wanted = object->isWindowType()
+    ? mouse
+    : isWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) || isWithin(object, this->Stop) ||
       isWithin(object, qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()));
   if (!wanted && event->type() == QEvent::Close)
   {

@@ -3,7 +3,7 @@
  * @brief   lets the user end a picture that takes long
  *
  * A screenshot is one render with all samples. While it takes long this object looks for the Abort button of ParaView's
- * progress bar and the Esc key, and lets nothing else happen in the window.
+ * progress bar, the toolbar's Stop and the Esc key, and lets nothing else happen in the window.
  */
 #ifndef pqRayTracedGlyphsAbort_h
 #define pqRayTracedGlyphsAbort_h
@@ -45,6 +45,14 @@ public:
   void renderEnded();
   ///@}
 
+  ///@{
+  /**
+   * Whether a picture is being made that takes long; and ends it, if so.
+   */
+  bool isListening() const { return this->Listening; }
+  bool abort();
+  ///@}
+
   /**
    * ParaView's; null: there is none.
    */
@@ -61,6 +69,11 @@ public:
   void shutdown();
 
 Q_SIGNALS:
+  /**
+   * A picture takes long.
+   */
+  void listening();
+
   /**
    * The button was pressed while no picture was being made.
    */
@@ -84,6 +97,7 @@ private:
   vtkNew<vtkEventQtSlotConnect> Observers;
   std::vector<vtkWeakPointer<vtkObject>> Watched; ///< windows
   QPointer<pqProgressWidget> Bar;
+  QPointer<QWidget> Stop;   ///< the toolbar's button
   QElapsedTimer SinceStart; ///< of the last render
   QTimer Rest;              ///< runs out when the window is at rest again
   bool Listening = false;   ///< to events, within a render

@@ -1,5 +1,6 @@
 #include "pqRayTracedGlyphsRefinement.h"
 
+#include "pqActiveObjects.h"
 #include "pqAnimationScene.h"
 #include "RayTracedSuggestion.h"
 #include "pqApplicationCore.h"
@@ -59,7 +60,10 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
       {
         bar->enableAbort(false);
       }
+      Q_EMIT this->looked(pqActiveObjects::instance().activeView());
     });
+  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::listening, this,
+    [this]() { Q_EMIT this->looked(pqActiveObjects::instance().activeView()); });
   onlyOne = this;
 }
 
@@ -215,7 +219,7 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
     }
     const bool refined = std::any_of(
       this->Waiting.begin(), this->Waiting.end(), [&part](const Part& waiting) { return waiting.Proxy == part.Proxy; });
-    image.Refined |= refined;
+    image.Refined |= refined || this->Abort.isListening();
     // That of an image that was stopped is whole.
     const double samples = scene->GetSamples(), wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
     const double progress = refined ? scene->GetProgress() : std::min(1.0, samples / wanted);
@@ -384,6 +388,10 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
 // Null: all views.
 void pqRayTracedGlyphsRefinement::stop(const pqView* view)
 {
+  if (this->Abort.abort())
+  {
+    return;
+  }
   std::vector<Part> stopped, others;
   for (const Part& part : this->Waiting)
   {

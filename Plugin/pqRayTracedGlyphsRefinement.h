@@ -45,7 +45,7 @@ public:
   struct Image
   {
     vtkSMProxy* Display = nullptr;            ///< one of its visible ray-traced displays; null: there is none
-    bool Refined = false;                     ///< more are being traced
+    bool Refined = false;                     ///< more are being traced, or a screenshot is
     QString Words;                            ///< how far it is, or what it waits for
     double Progress = 1.0;                    ///< in [0, 1]
     vtkSMRayTracedViewProxy* Scene = nullptr; ///< of what is meant

@@ -178,7 +178,7 @@ def aborted_capture(checks, window, view, shown, name, stop):
     window.wait(lambda: not pending(shown), LIMIT)
     checks.picture("%s: next picture" % name, capture(view, "next"), expected, pixels=0.002)
     window.wait(lambda: False, 0.3)
-    checks.true("%s: the Abort button stays enabled" % name, not window.enabled(ABORT))
+    checks.true("%s: the Abort button or Stop stays enabled" % name, not window.enabled(ABORT) and not window.enabled("Stop"))
 
 
 def runs(toolbar, words):
@@ -228,6 +228,7 @@ def main():
     say("%d renders, the longest %.3f s" % (len(renders.seconds), max(renders.seconds)))
     aborted_capture(checks, window, view, shown, "Abort button in a screenshot", lambda: window.click(ABORT))
     aborted_capture(checks, window, view, shown, "Esc in a screenshot", lambda: window.escape(VIEW))
+    aborted_capture(checks, window, view, shown, "Stop in a screenshot", lambda: window.click("Stop"))
     return checks.failures
 
 
