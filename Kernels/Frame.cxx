@@ -1,6 +1,5 @@
 #include "Frame.h"
 
-#include "Shading/Shading.h"
 #include "Tiles.h"
 
 #include <algorithm>
@@ -127,10 +126,6 @@ void CheckSettings(const TraceSettings& settings)
   check("the number of paths a sample", settings.paths, 1u, 64u);
   check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
   check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
-  for (int i = 0; i < 3; ++i)
-  {
-    check("the environment color", settings.environmentColor[i], 0.0f, 1e30f);
-  }
   check("the slope of the sky's light", glm::length(settings.skySlope), 0.0f, 1.0001f);
   check("the lights' fraction", settings.lightFraction, 0.0f, 1.0f);
   check("the albedo limit", settings.albedoLimit, 1e-3f, 1.0f);
@@ -161,7 +156,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 {
   frame.width = settings.width;
   frame.height = settings.height;
-  frame.environment = settings.lightIntensity * shading::DisplayToLinear(settings.environmentColor);
+  frame.environment = glm::vec3(settings.lightIntensity);
   frame.skySlope = settings.skySlope;
   frame.lightFraction = settings.lightFraction;
   frame.albedoLimit = settings.albedoLimit;

@@ -1,7 +1,6 @@
 #include "GlyphTree.h"
 
 #include "Parallel.h"
-#include "Partition.h"
 
 #include <algorithm>
 #include <array>
@@ -33,6 +32,34 @@ Box LeafBox(const OrderedBoxes& ordered, std::size_t leaf, std::uint32_t leafBit
   return box;
 }
 
+// The middle of a box during the sort, and its index before.
+struct Entry
+{
+  glm::vec3 point;
+  std::uint32_t index;
+};
+
+// Equal coordinates go by the index: what the sort does depends on nothing but the points, and many equal ones cost it
+// no more than others.
+void PartitionAlong(Entry* first, Entry* middle, Entry* last, int axis)
+{
+  std::nth_element(first, middle, last,
+    [axis](const Entry& a, const Entry& b)
+    { return a.point[axis] < b.point[axis] || (a.point[axis] == b.point[axis] && a.index < b.index); });
+}
+
+// How often to fork a recursion over so many points for all cores to have work worth a thread: into some more parts
+// than threads, because parts are never equally fast.
+int ForksFor(std::size_t count)
+{
+  int forks = 0;
+  while ((std::size_t(1) << forks) < 4 * ThreadCount() && (count >> forks) > 20000)
+  {
+    ++forks;
+  }
+  return ThreadCount() > 1 ? forks : 0;
+}
+
 // Splits a node has: three, but for the root what is left.
 std::uint32_t SplitsOf(std::uint32_t level, std::uint32_t leafBits)
 {
@@ -46,48 +73,34 @@ class LeafSplitter
 {
 public:
   static constexpr std::size_t mostGlyphs = 64;
-  static constexpr std::size_t fewGlyphs = 16;
 
-  LeafSplitter(PartitionEntry* entries, std::size_t count, const BoxReader& boxes)
+  LeafSplitter(Entry* entries, std::size_t count, const BoxReader& boxes)
     : entries_(entries)
     , count_(count)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      const glm::vec3 middle = entries[i].Point(), half = boxes.HalfExtent(entries[i].index);
+      const glm::vec3 middle = entries[i].point, half = boxes.HalfExtent(entries[i].index);
       const glm::vec3 lower = middle - half, upper = middle + half;
       this->boxes_[i] = { lower.x, lower.y, lower.z, 0.0f, -upper.x, -upper.y, -upper.z, 0.0f };
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      std::uint64_t keys[mostGlyphs];
+      // A glyph's place is the number of those before it, counted without unpredictable branches.
+      std::uint8_t places[mostGlyphs] = {};
+      for (std::size_t i = 1; i < count; ++i)
+      {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+          const bool before = entries[i].point[axis] < entries[j].point[axis];
+          places[j] += before;
+          places[i] += !before;
+        }
+      }
       for (std::size_t i = 0; i < count; ++i)
       {
-        // The low bits, of the index, only order equal coordinates; so do positions in the node.
-        keys[i] = (entries[i].Key(axis) & ~std::uint64_t(0xff)) | i;
+        this->sorted_[axis][places[i]] = static_cast<std::uint8_t>(i);
       }
-      if (count <= fewGlyphs)
-      {
-        // A glyph's place is the number of those before it, counted without unpredictable branches.
-        std::uint8_t places[fewGlyphs] = {};
-        for (std::size_t i = 1; i < count; ++i)
-        {
-          for (std::size_t j = 0; j < i; ++j)
-          {
-            const bool before = keys[i] < keys[j];
-            places[j] += before;
-            places[i] += !before;
-          }
-        }
-        for (std::size_t i = 0; i < count; ++i)
-        {
-          this->sorted_[axis][places[i]] = static_cast<std::uint8_t>(i);
-        }
-        continue;
-      }
-      std::sort(keys, keys + count);
-      std::transform(
-        keys, keys + count, this->sorted_[axis], [](std::uint64_t key) { return static_cast<std::uint8_t>(key); });
     }
   }
 
@@ -119,7 +132,7 @@ public:
   // Puts the entries where the splits want them.
   void Apply() const
   {
-    PartitionEntry before[mostGlyphs];
+    Entry before[mostGlyphs];
     std::copy_n(this->entries_, this->count_, before);
     for (std::size_t i = 0; i < this->count_; ++i)
     {
@@ -174,7 +187,7 @@ private:
     }
   }
 
-  PartitionEntry* entries_;
+  Entry* entries_;
   std::size_t count_;
   Planes boxes_[mostGlyphs];
   std::uint8_t sorted_[3][mostGlyphs]; // glyphs along each axis, part by part
@@ -184,7 +197,7 @@ private:
 // that three signs of the ray's direction give the order of all eight.
 struct KdSplitter
 {
-  PartitionEntry* entries;
+  Entry* entries;
   const BoxReader& boxes;
   std::size_t count;
   std::uint32_t leafBits;
@@ -217,10 +230,15 @@ struct KdSplitter
 
   void ChooseByExtent(std::size_t leaf, std::uint32_t bits, std::uint32_t splits, int* chosen) const
   {
-    glm::vec3 extent = Extent(this->entries, this->Start(leaf), this->Start(leaf + (std::size_t(1) << bits)));
+    Box box;
+    for (std::size_t i = this->Start(leaf); i < this->Start(leaf + (std::size_t(1) << bits)); ++i)
+    {
+      box.Include({ this->entries[i].point, this->entries[i].point });
+    }
+    glm::vec3 extent = box.upper - box.lower;
     for (std::uint32_t i = 0; i < splits; ++i)
     {
-      chosen[i] = LongestAxis(extent);
+      chosen[i] = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
       extent[chosen[i]] *= 0.5f;
     }
   }
@@ -262,7 +280,9 @@ struct KdSplitter
       return;
     }
     const std::size_t half = std::size_t(1) << (bits - 1);
-    PartitionAlong(this->entries, this->Start(leaf), this->Start(leaf + half), this->Start(leaf + 2 * half), *chosen);
+    Entry* const first = this->entries;
+    PartitionAlong(
+      first + this->Start(leaf), first + this->Start(leaf + half), first + this->Start(leaf + 2 * half), *chosen);
     ParallelInvoke(
       forks > 0, [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
       [&]
@@ -337,19 +357,20 @@ KdOrder MakeKdOrder(const BoxReader& boxes, std::uint32_t leafBits)
   KdOrder result;
   const std::size_t count = boxes.Count();
   // Not made by a vector, which would write zeros into all of them first, on one core.
-  const std::unique_ptr<PartitionEntry[]> entries(new PartitionEntry[count]);
+  const std::unique_ptr<Entry[]> entries(new Entry[count]);
   ParallelEach(count,
     [&](std::size_t i)
     {
       const Box box = boxes[i];
-      entries[i] = PartitionEntry(0.5f * box.lower + 0.5f * box.upper, static_cast<std::uint32_t>(i));
+      entries[i] = { 0.5f * box.lower + 0.5f * box.upper, static_cast<std::uint32_t>(i) };
     });
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
   result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);
   const KdSplitter splitter{ entries.get(), boxes, count, leafBits, result.axes.data() };
   splitter.SplitNode(0, 0, 0, leafBits, ForksFor(count));
-  result.order = OrderOf(entries.get(), count);
+  result.order.resize(count);
+  ParallelEach(count, [&](std::size_t i) { result.order[i] = entries[i].index; });
   return result;
 }
 

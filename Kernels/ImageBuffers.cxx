@@ -11,17 +11,13 @@ namespace
 constexpr std::size_t wordsPerPixel = 4; ///< color, depth, id of the set, id of the glyph
 
 // A pixel of nothing.
-std::uint32_t EmptyWord(std::size_t i)
-{
-  return i == 0 ? 0u : i == 1 ? glm::floatBitsToUint(1.0f) : Image::noGlyph;
-}
+const std::uint32_t emptyWords[wordsPerPixel] = { 0u, glm::floatBitsToUint(1.0f), Image::noGlyph, Image::noGlyph };
 
 } // namespace
 
 void ImageBuffers::Prepare(Device::State& device, const TraceSettings& settings, bool keepSums)
 {
-  this->width_ = settings.width;
-  this->pixels_ = this->width_ * settings.height;
+  this->pixels_ = std::size_t(settings.width) * settings.height;
   const std::size_t bytes = wordsPerPixel * this->pixels_ * sizeof(std::uint32_t);
   this->words_.Fit(device, bytes);
   if (!this->words_.Mapped())
@@ -45,7 +41,7 @@ void ImageBuffers::Clear()
   const std::size_t bytes = this->pixels_ * sizeof(std::uint32_t);
   for (std::size_t i = 0; i < wordsPerPixel; ++i)
   {
-    this->words_.Fill(i * bytes, bytes, EmptyWord(i));
+    this->words_.Fill(i * bytes, bytes, emptyWords[i]);
   }
 }
 
@@ -72,7 +68,7 @@ void ImageBuffers::Fill(device::FrameRecord& frame) const
   frame.features = this->features_.Address();
 }
 
-void ImageBuffers::Show(Image& image, const Tiling& tiling)
+void ImageBuffers::Show(Image& image)
 {
   if (!this->words_.Mapped())
   {
@@ -80,36 +76,10 @@ void ImageBuffers::Show(Image& image, const Tiling& tiling)
   }
   const void* place = this->words_.Mapped() ? this->words_.Mapped() : this->shown_.Mapped();
   const auto* words = static_cast<const std::uint32_t*>(place);
-  if (!tiling.IsWhole())
-  {
-    this->ShowShare(words, tiling);
-    words = this->shareShown_.data();
-  }
   image.color = image.traced = words;
   image.depth = reinterpret_cast<const float*>(words + this->pixels_);
   image.setIds = words + 2 * this->pixels_;
   image.glyphIds = words + 3 * this->pixels_;
-}
-
-void ImageBuffers::ShowShare(const std::uint32_t* words, const Tiling& tiling)
-{
-  this->shareShown_.resize(wordsPerPixel * this->pixels_);
-  for (std::size_t i = 0; i < wordsPerPixel; ++i)
-  {
-    std::fill_n(this->shareShown_.begin() + i * this->pixels_, this->pixels_, EmptyWord(i));
-  }
-  for (std::uint32_t number = tiling.Begin(); number < tiling.End(); ++number)
-  {
-    const Tiling::Rectangle tile = tiling.PixelsOf(number);
-    for (std::uint32_t y = tile.bottom; y < tile.top; ++y)
-    {
-      for (std::size_t i = 0; i < wordsPerPixel; ++i)
-      {
-        const std::size_t first = i * this->pixels_ + y * this->width_ + tile.left;
-        std::copy_n(words + first, tile.right - tile.left, this->shareShown_.begin() + first);
-      }
-    }
-  }
 }
 
 void ImageBuffers::FillFeatures(Image& image) const

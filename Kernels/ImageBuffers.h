@@ -2,7 +2,6 @@
 #pragma once
 
 #include "HostDevice.h"
-#include "Tiles.h"
 #include "Tracer.h"
 #include "Vulkan/Buffer.h"
 
@@ -27,9 +26,8 @@ public:
   /// Writes their addresses into the frame's record.
   void Fill(device::FrameRecord& frame) const;
 
-  /// Lets the image point at its pixels, where the host can read them. Those of other parts are invisible,
-  /// even if the device's image has them.
-  void Show(Image& image, const Tiling& tiling);
+  /// Lets the image point at its pixels, where the host can read them.
+  void Show(Image& image);
 
   void FillFeatures(Image& image) const;
 
@@ -38,13 +36,10 @@ public:
   std::vector<glm::vec4> Means(std::uint32_t samples, std::vector<float>* missingLight) const;
 
 private:
-  void ShowShare(const std::uint32_t* words, const Tiling& tiling);
-
-  std::size_t pixels_ = 0, width_ = 0;
-  Buffer words_;                          ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
-  Buffer shown_;                          ///< a copy of them for the host, none on a device that shares its memory
-  std::vector<std::uint32_t> shareShown_; ///< likewise, of a part of the image
-  Buffer sums_, features_;                ///< none unless requested
+  std::size_t pixels_ = 0;
+  Buffer words_;           ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
+  Buffer shown_;           ///< a copy of them for the host, none on a device that shares its memory
+  Buffer sums_, features_; ///< none unless requested
 };
 
 } // namespace rtg

@@ -32,19 +32,10 @@ DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, dou
   const glm::dvec3 start = motion.Displacement(glyph, first);
   const glm::dvec3 end = motion.Displacement(glyph, last);
   DoubleBox range{ glm::min(start, end), glm::max(start, end) };
-  if (motion.accelerations.empty() || motion.velocities.empty())
-  {
-    // Without velocity the parabola's apex is at time 0.
-    if (!motion.accelerations.empty() && first < 0.0 && last > 0.0)
-    {
-      range.Include({ glm::dvec3(0.0), glm::dvec3(0.0) });
-    }
-    return range;
-  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double v = motion.velocities[glyph][axis];
-    const double a = motion.accelerations[glyph][axis];
+    const double v = motion.velocities.empty() ? 0.0 : motion.velocities[glyph][axis];
+    const double a = motion.accelerations.empty() ? 0.0 : motion.accelerations[glyph][axis];
     const double turning = -v / a; // not finite, and so outside, without an apex
     if (turning > first && turning < last)
     {

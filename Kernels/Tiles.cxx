@@ -18,10 +18,8 @@ std::uint32_t StrideOf(std::uint32_t count)
 } // namespace
 
 Tiling::Tiling(const TraceSettings& settings)
-  : width_(settings.width)
-  , height_(settings.height)
-  , columns_(DivideUp(this->width_, tileSize))
-  , count_(this->columns_ * DivideUp(this->height_, tileSize))
+  : columns_(DivideUp(settings.width, tileSize))
+  , count_(this->columns_ * DivideUp(settings.height, tileSize))
   , stride_(StrideOf(this->count_))
 {
   // Tiles that follow each other are scattered already.
@@ -30,15 +28,7 @@ Tiling::Tiling(const TraceSettings& settings)
   this->begin_ = boundary(settings.share);
   this->end_ = boundary(settings.share + 1);
   this->rays_ =
-    settings.shares > 1 ? std::size_t(this->Size()) * raysPerTile : std::size_t(this->width_) * this->height_;
-}
-
-// As LaunchPixel() of Programs/pixel.glsl has it.
-Tiling::Rectangle Tiling::PixelsOf(std::uint32_t number) const
-{
-  const std::uint32_t tile = number * this->stride_ % this->count_;
-  const std::uint32_t left = tile % this->columns_ * tileSize, bottom = tile / this->columns_ * tileSize;
-  return { left, bottom, std::min(left + tileSize, this->width_), std::min(bottom + tileSize, this->height_) };
+    settings.shares > 1 ? std::size_t(this->Size()) * raysPerTile : std::size_t(settings.width) * settings.height;
 }
 
 void Tiling::Fill(device::FrameRecord& frame) const

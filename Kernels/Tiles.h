@@ -55,20 +55,12 @@ public:
   std::uint32_t Begin() const { return this->begin_; } ///< number of the part's first tile
   std::uint32_t End() const { return this->end_; }     ///< one more than that of its last
   std::uint32_t Size() const { return this->end_ - this->begin_; }
-  bool IsWhole() const { return this->Size() == this->count_; } ///< the part is all of the image
-  std::size_t Rays() const { return this->rays_; }              ///< camera rays of one sample
-
-  struct Rectangle
-  {
-    std::uint32_t left, bottom, right, top; ///< in pixels, without `right` and `top`
-  };
-  Rectangle PixelsOf(std::uint32_t number) const;
+  std::size_t Rays() const { return this->rays_; } ///< camera rays of one sample
 
   /// Writes the frame's record, and makes the first tile of the part the next.
   void Fill(device::FrameRecord& frame) const;
 
 private:
-  std::uint32_t width_ = 0, height_ = 0;  ///< pixels
   std::uint32_t columns_ = 0, count_ = 0; ///< tiles of a row, of the image
   std::uint32_t stride_ = 1;              ///< from a tile to the next that is traced
   std::uint32_t begin_ = 0, end_ = 0;

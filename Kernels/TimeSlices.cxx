@@ -54,11 +54,6 @@ std::uint32_t ChooseSliceBits(std::size_t count, std::size_t bytesPerSlice,
 GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes,
   bool sorts, const std::function<std::vector<Box>(double, double)>& boxesBetween)
 {
-  if (sliceBits == 0)
-  {
-    const std::vector<Box> boxes = boxesBetween(0.0, 1.0);
-    return BuildGlyphTree(boxes, leafBits, axes);
-  }
   const std::size_t count = std::size_t(1) << sliceBits;
   const auto boxesOf = [&](std::size_t slice)
   { return boxesBetween(double(slice) / double(count), double(slice + 1) / double(count)); };
@@ -70,7 +65,7 @@ GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std
   tree.nodes.resize(count * axes.size());
   std::size_t things = 0;
   double tooLarge = INFINITY;
-  if (sorts)
+  if (sorts && count > 1)
   {
     const std::vector<Box> first = boxesOf(0);
     things = first.size();

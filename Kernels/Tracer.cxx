@@ -176,7 +176,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.records.empty();
-  if (empty || (interruptible && settings.firstSample == 0))
+  if (empty || ((interruptible || settings.shares > 1) && settings.firstSample == 0))
   {
     this->buffers.Clear();
   }
@@ -251,7 +251,7 @@ void Tracer::State::Run(const Interrupt& interrupt)
   work.image.samples = settings.firstSample + work.done;
   const float part = work.image.complete ? 0.0f : float(work.frame.samples * work.TracedShare());
   work.image.share = (work.done + part) / settings.samples;
-  this->buffers.Show(work.image, work.tiling);
+  this->buffers.Show(work.image);
   if (settings.features && work.image.complete)
   {
     this->buffers.FillFeatures(work.image);

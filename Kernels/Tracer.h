@@ -72,8 +72,7 @@ struct TraceSettings
   bool keepSums = false; ///< more samples will be added: keep what they are added to
 
   Shading shading = Shading::Local;
-  /// Environment light (the sky) of ambient occlusion and path tracing: a display color and its strength, >= 0.
-  glm::vec3 environmentColor{ 1.0f };
+  /// Radiance of the environment light (the sky) of ambient occlusion and path tracing, >= 0.
   float lightIntensity = 1.0f;
   /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
   /// it is uniform.
@@ -84,8 +83,8 @@ struct TraceSettings
   /// Surfaces whose color is their material's reflect at most this fraction of the light, in (0, 1]; 1: no limit.
   /// Colors of glyphs and triangles stay.
   float albedoLimit = 1.0f;
-  /// Path tracing: the environment light is this image's, times environmentColor and lightIntensity; null: it is
-  /// uniform. Immutable: another image is another object.
+  /// Path tracing: the environment light is this image's, times lightIntensity; null: it is uniform. Immutable: another
+  /// image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.
   bool shadows = false;

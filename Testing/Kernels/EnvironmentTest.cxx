@@ -77,7 +77,6 @@ TEST_F(EnvironmentTest, OneColorIsTheSameFromEverywhere)
 {
   this->Add(Shape::Box, { glm::vec3(0) }, { glm::vec3(4) }, White());
   this->settings.environmentImage = Make(7, 5, [](auto, auto) { return glm::vec3(0.5f); });
-  this->settings.environmentColor = glm::vec3(1.0f);
   this->settings.lightIntensity = 3.0f;
   // Burley's diffuse lobe varies by up to 0.07 of itself from direction to direction: independent ones would err by
   // more.
@@ -86,7 +85,7 @@ TEST_F(EnvironmentTest, OneColorIsTheSameFromEverywhere)
   EXPECT_NEAR(image, 1.5, 1e-4);
   // The same paths, no image.
   this->settings.environmentImage = nullptr;
-  this->settings.environmentColor = rtg::shading::LinearToDisplay(glm::vec3(0.5f));
+  this->settings.lightIntensity = 1.5f;
   EXPECT_NEAR(this->Mean(), image, 1e-5);
 }
 
@@ -128,7 +127,6 @@ TEST_F(EnvironmentTest, AnImageThatGoesOnKeepsItsOwn)
   this->scene.Commit();
   const auto resources = rtg::MakeTracerResources(this->device);
   rtg::Tracer first(resources), second(resources);
-  this->settings.environmentColor = glm::vec3(1.0f);
   this->settings.environmentImage = Make(7, 5, [](auto, auto) { return glm::vec3(0.5f); });
   this->settings.width = this->settings.height = 256; // long enough to be interrupted
   this->settings.samples = 64;

@@ -117,7 +117,6 @@ TEST_F(LightTest, RouletteAndPathsChangeNoMean)
   }
   this->Add(Shape::Sphere, centers, std::vector<glm::vec3>(27, glm::vec3(0.55f)), shining);
   this->settings.shading = Shading::PathTracing;
-  this->settings.environmentColor = glm::vec3(1.0f, 0.8f, 0.9f);
   this->settings.samples = 128;
   rtg::Light sun, none;
   sun.kind = rtg::Light::Kind::Directional;

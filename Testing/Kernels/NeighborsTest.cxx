@@ -175,8 +175,9 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
   for (std::uint32_t share = 0; share < shares; ++share)
   {
     this->settings.share = share;
-    // In parts, as a window requests it.
-    const Kept part = this->Trace(this->scene, rtg::Pass::Opaque, [](double) { return false; });
+    // At once, or in parts as a window requests it.
+    const Kept part = this->Trace(
+      this->scene, rtg::Pass::Opaque, share == 0 ? rtg::Interrupt() : [](double) { return false; });
     std::size_t own = 0;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
