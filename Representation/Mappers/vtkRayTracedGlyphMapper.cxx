@@ -2,6 +2,7 @@
 
 #include "GlyphArrays.h"
 #include "GlyphInstanceBuilder.h"
+#include "GlyphPlacement.h"
 #include "GlyphTrails.h"
 #include "GlyphTuples.h"
 #include "RayTracedArrays.h"
