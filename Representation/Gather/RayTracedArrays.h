@@ -28,7 +28,7 @@ constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
 /// Of each point: its velocity since the step shown before. Optional.
 constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
-/// Of each point: where it was in earlier steps (GlyphStepTrail). Missing unless requested.
+/// Of each point: where it was in earlier steps (GlyphSteps). Missing unless requested.
 constexpr const char* Trail = "vtkRayTraced_Trail";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";

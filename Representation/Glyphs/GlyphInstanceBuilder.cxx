@@ -69,12 +69,15 @@ public:
       ++numbers[outcomes[k]];
     }
     this->Out.Points = std::move(candidates);
+    if (!this->NeedsLowParts)
+    {
+      this->Instances.centersLow = {};
+    }
     if (this->Parts > 1 || numbers[SHOWN] < count)
     {
       this->Keep(rtglyphs::RayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
     }
     this->Finish();
-    this->StoreLowParts();
     return numbers;
   }
 
@@ -83,6 +86,7 @@ private:
   {
     const auto allocate = [count](auto& values, bool wanted) { values.resize(wanted ? count : 0); };
     allocate(this->Instances.centers, true);
+    allocate(this->Instances.centersLow, true);
     allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
     allocate(this->Instances.exponents3,
       (this->Maker.GetSizes().GetTensors() && HasExponents(this->How.Shape)) ||
@@ -94,13 +98,11 @@ private:
       this->Instances.polynomials.values.resize(count * forms->Width());
       this->Out.Radii.resize(count);
     }
-    allocate(this->Shifts, this->Parts > 1);
     allocate(this->Instances.opacities, this->Maker.Has(rtglyphs::GlyphArrays::OPACITY));
     allocate(this->Instances.sizes3, !this->Maker.HasOneSize());
     allocate(this->Instances.sizes1, this->Maker.HasOneSize() && !this->Maker.HasSameSizes());
     allocate(this->Instances.rotations, this->Maker.IsTurned());
     this->Motion.Allocate(this->Instances.motion, count);
-    this->FirstSizes.assign(rtglyphs::RayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
   }
 
   // The point's outcome; if it is SHOWN, instance `number` is its glyph.
@@ -117,13 +119,13 @@ private:
     {
       return this->How.IsAroundVectors() ? NOT_SHOWN : MOTION; // as above
     }
-    const glm::vec3 center(glyph.Center);
-    const glm::dvec3 left = glm::abs(glyph.Center - glm::dvec3(center));
-    if (std::max({ left.x, left.y, left.z }) > 1e-6 * glyph.Smallest())
+    const glm::vec3 center(glyph.Center), low(glyph.Center - glm::dvec3(center));
+    if (std::max({ std::abs(low.x), std::abs(low.y), std::abs(low.z) }) > 1e-6 * glyph.Smallest())
     {
       this->NeedsLowParts = true;
     }
     this->Instances.centers[number] = center;
+    this->Instances.centersLow[number] = low;
     this->Motion.Store(this->Instances.motion, number, point, this->Maker.GetPlacement().Linear, this->Rotation);
     if (!this->Instances.opacities.empty())
     {
@@ -135,10 +137,9 @@ private:
 
   void Store(vtkIdType number, const rtglyphs::GlyphMaker::Glyph& glyph)
   {
-    float& first = this->FirstSizes[rtglyphs::RayTracedParallel::ChunkOf(number)];
-    if (first == 0.0f) // written once: those of other threads lie beside it
+    if (this->Maker.HasSameSizes() && this->SameSize == 0.0f)
     {
-      first = glyph.Size.x;
+      this->SameSize = glyph.Size.x;
     }
     const auto store = [number](auto& values, const auto& value)
     {
@@ -152,7 +153,6 @@ private:
     store(this->Instances.rotations, glyph.Turn);
     store(this->Instances.exponents3,
       this->Maker.GetSizes().GetTensors() ? glm::vec3(glyph.Tensor.exponents) : glyph.Exponents);
-    store(this->Shifts, static_cast<float>(glyph.Shift));
     store(this->Out.Radii, glyph.Radius);
     if (!this->Instances.forms.empty())
     {
@@ -187,7 +187,6 @@ private:
     const auto keep = [&glyphs](auto& values) { KeepOnly(values, glyphs); };
     keep(this->Out.Points);
     keep(this->Out.Radii);
-    keep(this->Shifts);
     rtg::GlyphColors colors; // are not made here
     rtg::ForEachArray(
       this->Instances, colors, [&keep](std::size_t, std::uint32_t, auto& values, const char*) { keep(values); });
@@ -195,41 +194,15 @@ private:
 
   void Finish()
   {
-    const auto first =
-      std::find_if(this->FirstSizes.begin(), this->FirstSizes.end(), [](float size) { return size != 0.0f; });
-    if (first != this->FirstSizes.end())
+    if (this->SameSize != 0.0f)
     {
-      this->Instances.uniformSize = *first;
+      this->Instances.uniformSize = this->SameSize;
     }
     this->Motion.Finish(this->Instances.motion);
     if (this->Maker.IsRound())
     {
       this->Instances.motion.angularVelocities.clear(); // rotations are invisible
     }
-  }
-
-  // Low parts of the centers, when for some glyph they exceed 1e-6 of its size.
-  void StoreLowParts()
-  {
-    if (!this->NeedsLowParts)
-    {
-      return;
-    }
-    this->Instances.centersLow.resize(this->Out.Points.size());
-    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Out.Points.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        rtglyphs::GlyphMaker::Tuples tuples(this->Maker);
-        const rtg::GlyphInstances& all = this->Instances;
-        for (vtkIdType k = begin; k < end; ++k)
-        {
-          const float length = all.SizeOf(k)[this->Maker.ShiftAxis()];
-          const glm::dvec3 center = this->Maker.CenterOf(this->Out.Points[k], all.origin, tuples,
-            this->Shifts.empty() ? this->Maker.GetShift() : this->Shifts[k], length,
-            all.rotations.empty() ? rtglyphs::GlyphMaker::NoTurn : all.rotations[k]);
-          this->Instances.centersLow[k] = glm::vec3(center - glm::dvec3(all.centers[k]));
-        }
-      });
   }
 
   const rtglyphs::GlyphMaker& Maker;
@@ -239,9 +212,8 @@ private:
   const glm::dmat3 Rotation; // of the placement
   rtglyphs::GlyphInstanceBuilder::Result& Out;
   rtg::GlyphInstances& Instances;
-  std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
-  std::vector<float> Shifts;     // of each glyph, where these differ
-  std::atomic<bool> NeedsLowParts{ false };
+  std::atomic<float> SameSize{ 0.0f };      // of all glyphs; 0: there is none, or they differ
+  std::atomic<bool> NeedsLowParts{ false }; // of the centers, which for some glyph exceed 1e-6 of its size
 };
 }
 

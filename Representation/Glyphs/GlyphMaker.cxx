@@ -18,19 +18,6 @@ glm::dvec3 ToVector(const double* x)
   return { x[0], x[1], x[2] };
 }
 
-// From a glyph's point to its center, computed from what is kept of its size and rotation.
-glm::dvec3 Shifted(const glm::dvec3& place, int axis, double shift, float length, const glm::vec4& turn)
-{
-  if (shift == 0.0)
-  {
-    return place;
-  }
-  const glm::dquat rotation(turn.w, turn.x, turn.y, turn.z);
-  glm::dvec3 along(0.0);
-  along[axis] = shift * length;
-  return place + glm::normalize(rotation) * along;
-}
-
 // One of the arrows of a tensor: along the eigenvector of the largest magnitude first, to both sides of the center.
 // From it where the eigenvalue is positive, else to it.
 Outcome TakePart(int part, rtg::TensorGlyph& tensor, glm::dvec3& size, glm::dquat& rotation, double& shift)
@@ -187,13 +174,6 @@ glm::dvec3 rtglyphs::GlyphMaker::MiddleOf(const std::vector<vtkIdType>& points) 
 }
 
 //----------------------------------------------------------------------------
-glm::dvec3 rtglyphs::GlyphMaker::CenterOf(
-  vtkIdType point, const glm::dvec3& origin, Tuples& tuples, double shift, float length, const glm::vec4& turn) const
-{
-  return Shifted(this->PlaceOf(point, tuples) - origin, this->ShiftAxis(), shift, length, turn);
-}
-
-//----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
 {
   glm::dvec3 place = ToVector(tuples.Positions.Get(point));
@@ -290,22 +270,23 @@ Outcome rtglyphs::GlyphMaker::Make(
 
   glyph.Tensor = sized.Tensor;
   glyph.Radius = sized.Radius;
-  glyph.Shift = this->AnchorShift;
+  double shift = this->AnchorShift; // from the point to the center, in lengths of the glyph along this axis
+  const int axis = this->How.Frame == GlyphFrame::Split ? 1 : 0;
   rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
   if (this->How.Frame == GlyphFrame::Split)
   {
     const double magnitude = vtkMath::Norm(vectors.Get(point), vectors.Size());
-    outcome = TakeCylinder(this->How.CylinderOf(magnitude, part), this->How.ScaleFactor, size, rotation, glyph.Shift);
+    outcome = TakeCylinder(this->How.CylinderOf(magnitude, part), this->How.ScaleFactor, size, rotation, shift);
   }
   else if (this->How.Frame == GlyphFrame::Cones)
   {
     rtglyphs::GlyphTensors::Cone cone;
     outcome = this->Sizes.MakeCone(sized, vectors, point, cone);
-    outcome = outcome == SHOWN ? TakeCone(part, cone, size, rotation, glyph.Shift) : outcome;
+    outcome = outcome == SHOWN ? TakeCone(part, cone, size, rotation, shift) : outcome;
   }
   else if (this->How.Frame == GlyphFrame::Cross)
   {
-    outcome = TakePart(part, glyph.Tensor, size, rotation, glyph.Shift);
+    outcome = TakePart(part, glyph.Tensor, size, rotation, shift);
   }
   if (outcome != SHOWN)
   {
@@ -327,6 +308,13 @@ Outcome rtglyphs::GlyphMaker::Make(
   {
     return ZERO_SCALE;
   }
-  glyph.Center = Shifted(place, this->ShiftAxis(), glyph.Shift, glyph.Size[this->ShiftAxis()], glyph.Turn);
+  glyph.Center = place;
+  if (shift != 0.0)
+  {
+    // By size and rotation as they are kept.
+    glm::dvec3 along(0.0);
+    along[axis] = shift * glyph.Size[axis];
+    glyph.Center += glm::normalize(glm::dquat(glyph.Turn.w, glyph.Turn.x, glyph.Turn.y, glyph.Turn.z)) * along;
+  }
   return SHOWN;
 }

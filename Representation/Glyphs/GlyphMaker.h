@@ -73,7 +73,6 @@ public:
   struct Glyph
   {
     glm::dvec3 Center{ 0.0 }; // from the origin
-    double Shift = 0.0;       // from the point to the center, along ShiftAxis(), in lengths of the glyph there
     glm::vec3 Size{ 0.0f };   // extents; negative ones mirror a mesh
     glm::vec4 Turn = NoTurn;  // quaternion (x, y, z, w)
     rtg::TensorGlyph Tensor;
@@ -91,12 +90,6 @@ public:
   Make(vtkIdType point, int part, const glm::dvec3& origin, Tuples& tuples, Glyph& glyph, float* polynomial) const;
 
   /**
-   * The same center, computed from what was kept of the glyph.
-   */
-  glm::dvec3 CenterOf(
-    vtkIdType point, const glm::dvec3& origin, Tuples& tuples, double shift, float length, const glm::vec4& turn) const;
-
-  /**
    * Where most of the points are: the median of some of them, axis by axis, so that outliers do not count.
    */
   glm::dvec3 MiddleOf(const std::vector<vtkIdType>& points) const;
@@ -105,8 +98,6 @@ public:
   const GlyphSizes& GetSizes() const { return this->Sizes; }
   const GlyphPlacement& GetPlacement() const { return this->Placement; }
   int Parts() const { return this->NumberOfParts; } // glyphs of each point
-  double GetShift() const { return this->AnchorShift; }
-  int ShiftAxis() const { return this->How.Frame == GlyphFrame::Split ? 1 : 0; }
 
   ///@{
   /**

@@ -1,7 +1,7 @@
 #include "GlyphMotion.h"
 
 #include "Finite.h"
-#include "GlyphStepVelocity.h"
+#include "GlyphTuples.h"
 #include "RayTracedArrays.h"
 #include "RayTracedBlocks.h"
 #include "vtkDataArray.h"
@@ -26,32 +26,27 @@ enum Kinds
 // In that order.
 const struct
 {
-  const char *Property, *Components;
+  const char* Property;
+  std::vector<int> Lengths; // of tuples; two components lie in a plane
   std::string rtglyphs::GlyphMotion::Settings::*Name;
   std::vector<glm::vec3> rtg::GlyphMotion::*Values; // of glyphs
 } kinds[KINDS] = {
-  { "VelocityArray", "2 or 3", &rtglyphs::GlyphMotion::Settings::Velocity, &rtg::GlyphMotion::velocities },
-  { "AccelerationArray", "2 or 3", &rtglyphs::GlyphMotion::Settings::Acceleration, &rtg::GlyphMotion::accelerations },
-  { "AngularVelocityArray", "3", &rtglyphs::GlyphMotion::Settings::AngularVelocity,
+  { "VelocityArray", { 2, 3 }, &rtglyphs::GlyphMotion::Settings::Velocity, &rtg::GlyphMotion::velocities },
+  { "AccelerationArray", { 2, 3 }, &rtglyphs::GlyphMotion::Settings::Acceleration, &rtg::GlyphMotion::accelerations },
+  { "AngularVelocityArray", { 3 }, &rtglyphs::GlyphMotion::Settings::AngularVelocity,
     &rtg::GlyphMotion::angularVelocities },
-  { "MotionBlurMask", "1", &rtglyphs::GlyphMotion::Settings::Mask, nullptr },
+  { "MotionBlurMask", { 1 }, &rtglyphs::GlyphMotion::Settings::Mask, nullptr },
 };
 
 std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
-  return kind == LINEAR && settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.*kinds[kind].Name;
+  return kind == LINEAR && settings.FromPreviousStep ? rtglyphs::RayTracedArrays::StepVelocity
+                                                     : settings.*kinds[kind].Name;
 }
 
 bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
   return !rtglyphs::RayTracedArrays::IsNone(NameOf(settings, kind));
-}
-
-// Vectors of two components lie in a plane.
-bool HasLength(vtkDataArray* array, int kind)
-{
-  const int length = array->GetNumberOfComponents();
-  return kind == MASK ? length == 1 : length == 3 || (length == 2 && kind != ANGULAR);
 }
 }
 
@@ -104,39 +99,14 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     : settings.Opening == BACKWARD         ? -settings.ShutterTime
                                            : -0.5 * settings.ShutterTime;
   this->Close = this->Open + settings.ShutterTime;
-  this->Found = Arrays(points, settings);
   for (int kind = 0; kind < KINDS; ++kind)
   {
-    if (!IsNamed(settings, kind))
-    {
-      continue;
-    }
-    std::ostringstream text;
-    if (!this->Found[kind] && rtglyphs::RayTracedBlocks::IsElsewhere(points, NameOf(settings, kind)))
-    {
-      if (kind == MASK)
-      {
-        this->Found = {};
-      }
-      continue;
-    }
-    if (!this->Found[kind])
-    {
-      text << "There is no point array '" << NameOf(settings, kind) << "', which " << kinds[kind].Property
-           << " names; motion blur goes without. Choose one that exists, or None.";
-    }
-    else if (!HasLength(this->Found[kind], kind))
-    {
-      text << "The point array '" << NameOf(settings, kind) << "', which " << kinds[kind].Property << " names, has "
-           << this->Found[kind]->GetNumberOfComponents() << " components where " << kinds[kind].Components
-           << " are needed; motion blur goes without. Choose another array, or "
-              "None.";
-      this->Found[kind] = nullptr;
-    }
-    if (!text.str().empty())
-    {
-      this->Messages_.push_back(text.str());
-    }
+    this->Found[kind] = rtglyphs::GlyphArrays::Find(points, NameOf(settings, kind), kinds[kind].Property,
+      kinds[kind].Lengths, "motion blur goes without", &this->Messages_);
+  }
+  if (!this->Found[MASK] && rtglyphs::RayTracedBlocks::IsElsewhere(points, settings.Mask))
+  {
+    this->Found = {};
   }
 }
 

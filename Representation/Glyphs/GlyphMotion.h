@@ -37,7 +37,7 @@ public:
     bool On = false;
     // Names of point arrays of two components, in a plane, or three; empty or "None": none
     std::string Velocity;
-    bool FromPreviousStep = false; // the velocities are those of GlyphStepVelocity instead
+    bool FromPreviousStep = false; // the velocities are those of GlyphSteps instead
     std::string Acceleration;
     std::string AngularVelocity; // radians per time
     std::string Mask;            // of one component: points where it is 0 or NaN stand still; empty or "None": none do

@@ -30,32 +30,19 @@ void Deform(const glm::dmat3& linear, bool sphere, glm::dvec3& size, glm::dquat&
       }
     }
   }
-  double a[3][3], u[3][3], w[3], vt[3][3];
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      a[row][column] = image[column][row];
-    }
-  }
-  vtkMath::SingularValueDecomposition3x3(a, u, w, vt);
-  glm::dmat3 left, right;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      left[column][row] = u[row][column];
-      right[column][row] = vt[row][column];
-    }
-  }
-  glm::dmat3 turn = sphere ? left : left * right;
+  // Row by row, as VTK has them: the transposed ones.
+  const auto rows = [](glm::dmat3& matrix) { return reinterpret_cast<double(*)[3]>(&matrix); };
+  glm::dmat3 a = glm::transpose(image), u, vt;
+  glm::dvec3 w;
+  vtkMath::SingularValueDecomposition3x3(rows(a), rows(u), &w.x, rows(vt));
+  glm::dmat3 turn = glm::transpose(sphere ? u : vt * u);
   if (glm::determinant(turn) < 0.0)
   {
     turn = -turn;
   }
   if (sphere)
   {
-    size = glm::dvec3(std::abs(w[0]), std::abs(w[1]), std::abs(w[2]));
+    size = glm::abs(w);
   }
   rotation = glm::normalize(glm::quat_cast(turn));
 }

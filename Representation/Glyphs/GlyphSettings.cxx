@@ -162,36 +162,38 @@ double rtglyphs::GlyphSettings::AnchorShift() const
 std::vector<rtglyphs::GlyphLayer> rtglyphs::GlyphLayer::Of(int glyphShape)
 {
   using rtg::Shape;
-  switch (glyphShape)
+  const struct
   {
-    case GlyphShapes::SUPERQUADRIC:
-      return { { Shape::Superquadric, GlyphFrame::Arrays, 1.0 } };
-    case GlyphShapes::NESTED_SUPERQUADRIC:
-      return { { Shape::NestedSuperquadric, GlyphFrame::Arrays, 1.0 } };
-    case GlyphShapes::CAPSULE:
-      return { { Shape::Capsule, GlyphFrame::Arrays, 1.0 } };
-    case GlyphShapes::SPHERICAL_HARMONICS:
-    case GlyphShapes::REYNOLDS:
-    case GlyphShapes::FOURTH_ORDER_TENSOR:
-      return { { Shape::Polynomial, GlyphFrame::Arrays, 1.0 } };
-    case GlyphShapes::TENSOR_ELLIPSOID:
-      return { { Shape::Sphere, GlyphFrame::Tensor, 1.0 } };
-    case GlyphShapes::TENSOR_SUPERQUADRIC:
-    case GlyphShapes::SIGNED_TENSOR_SUPERQUADRIC:
-      return { { Shape::NestedSuperquadric, GlyphFrame::Tensor, 1.0 } };
-    case GlyphShapes::PRINCIPAL_AXES:
-      return { { Shape::Arrow, GlyphFrame::Cross, 1.0 } };
-    case GlyphShapes::CONFIDENCE_ELLIPSOID:
-      return { { Shape::Sphere, GlyphFrame::Covariance, 1.0 } };
-    case GlyphShapes::SPLIT_VECTOR:
-      return { { Shape::Cylinder, GlyphFrame::Split, 1.0 } };
-    case GlyphShapes::UNCERTAIN_VECTOR:
-      return { { Shape::Arrow, GlyphFrame::Vector, 1.0 }, { Shape::Sphere, GlyphFrame::Tip, around } };
-    case GlyphShapes::UNCERTAIN_DIRECTION:
-      return { { Shape::Arrow, GlyphFrame::Vector, 1.0 }, { Shape::Cone, GlyphFrame::Cones, around } };
-    default:
-      return { { Shape::Sphere, GlyphFrame::Arrays, 1.0 } };
+    int Value;
+    GlyphLayer Layer;
+  } shapes[] = {
+    { GlyphShapes::GLYPH_TYPE, { Shape::Sphere, GlyphFrame::Arrays } },
+    { GlyphShapes::SUPERQUADRIC, { Shape::Superquadric, GlyphFrame::Arrays } },
+    { GlyphShapes::NESTED_SUPERQUADRIC, { Shape::NestedSuperquadric, GlyphFrame::Arrays } },
+    { GlyphShapes::CAPSULE, { Shape::Capsule, GlyphFrame::Arrays } },
+    { GlyphShapes::SPHERICAL_HARMONICS, { Shape::Polynomial, GlyphFrame::Arrays } },
+    { GlyphShapes::REYNOLDS, { Shape::Polynomial, GlyphFrame::Arrays } },
+    { GlyphShapes::FOURTH_ORDER_TENSOR, { Shape::Polynomial, GlyphFrame::Arrays } },
+    { GlyphShapes::TENSOR_ELLIPSOID, { Shape::Sphere, GlyphFrame::Tensor } },
+    { GlyphShapes::TENSOR_SUPERQUADRIC, { Shape::NestedSuperquadric, GlyphFrame::Tensor } },
+    { GlyphShapes::SIGNED_TENSOR_SUPERQUADRIC, { Shape::NestedSuperquadric, GlyphFrame::Tensor } },
+    { GlyphShapes::CONFIDENCE_ELLIPSOID, { Shape::Sphere, GlyphFrame::Covariance } },
+    { GlyphShapes::PRINCIPAL_AXES, { Shape::Arrow, GlyphFrame::Cross } },
+    { GlyphShapes::SPLIT_VECTOR, { Shape::Cylinder, GlyphFrame::Split } },
+    { GlyphShapes::UNCERTAIN_VECTOR, { Shape::Arrow, GlyphFrame::Vector } },
+    { GlyphShapes::UNCERTAIN_VECTOR, { Shape::Sphere, GlyphFrame::Tip, around } },
+    { GlyphShapes::UNCERTAIN_DIRECTION, { Shape::Arrow, GlyphFrame::Vector } },
+    { GlyphShapes::UNCERTAIN_DIRECTION, { Shape::Cone, GlyphFrame::Cones, around } },
+  };
+  std::vector<GlyphLayer> layers;
+  for (const auto& shape : shapes)
+  {
+    if (shape.Value == glyphShape)
+    {
+      layers.push_back(shape.Layer);
+    }
   }
+  return layers;
 }
 
 //----------------------------------------------------------------------------
@@ -222,10 +224,9 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::In(const GlyphLayer& layer) con
     s.RadiusArray.clear();
   }
   s.Tensors.Covariances = layer.Frame == GlyphFrame::Covariance || s.IsAroundVectors();
-  if (s.Tensors.Covariances)
+  if (s.IsAroundVectors())
   {
-    s.Tensors.Thickness = rtg::thinnestTensorGlyph;
-    s.Tensors.Coloring = vectors ? GlyphTensors::NONE : s.Tensors.Coloring;
+    s.Tensors.Coloring = GlyphTensors::NONE;
   }
   if (vectors || s.Tensors.Covariances)
   {

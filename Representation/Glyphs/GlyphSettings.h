@@ -47,7 +47,7 @@ struct GlyphLayer
 {
   rtg::Shape Shape;
   GlyphFrame Frame;
-  double Opacity; // of the display's
+  double Opacity = 1.0; // of the display's
 
   /// GLYPH_TYPE's shape is that of its source.
   static std::vector<GlyphLayer> Of(int glyphShape);

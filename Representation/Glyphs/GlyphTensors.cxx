@@ -363,7 +363,8 @@ rtglyphs::GlyphOutcomes::Outcome rtglyphs::GlyphTensors::Glyph(vtkIdType point, 
     }
     eigen.values = 2.0 * this->Radius * glm::sqrt(glm::max(eigen.values, glm::dvec3(0.0)));
   }
-  glyph = rtg::MakeTensorGlyph(eigen, this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
+  const double thickness = this->How.Covariances ? rtg::thinnestTensorGlyph : 0.02; // of the longest axis
+  glyph = rtg::MakeTensorGlyph(eigen, this->How.Kind, this->How.Sharpness, this->Noise, thickness);
   return GlyphOutcomes::SHOWN;
 }
 

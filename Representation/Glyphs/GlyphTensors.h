@@ -100,7 +100,6 @@ public:
   {
     rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
     double Sharpness = 3.0;
-    double Thickness = 0.02; // least, as a fraction of the longest axis
     RayTracedChoice<Colorings, NONE, RADIUS> Coloring{};
     ///@{
     // Where x^T D x is zero or more, and where it is less; with SIGN.

@@ -72,30 +72,37 @@ vtkDataArray* rtglyphs::GlyphArrays::Find(
   Id id, vtkPolyData* points, const rtglyphs::GlyphSettings& settings, std::vector<std::string>* messages)
 {
   const Description& how = table[id];
-  const std::string& name = settings.*how.Name;
-  if (!how.IsWanted(settings) || rtglyphs::RayTracedArrays::IsNone(name))
+  return how.IsWanted(settings)
+    ? Find(points, settings.*how.Name, how.Property, how.Lengths(settings), how.Without, messages)
+    : nullptr;
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* rtglyphs::GlyphArrays::Find(vtkPolyData* points, const std::string& name, const char* property,
+  const std::vector<int>& lengths, const char* without, std::vector<std::string>* messages)
+{
+  if (rtglyphs::RayTracedArrays::IsNone(name))
   {
     return nullptr;
   }
   vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
-  const std::vector<int> lengths = how.Lengths(settings);
   const bool fits = array &&
     (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
   if (!array && messages && !rtglyphs::RayTracedBlocks::IsElsewhere(points, name))
   {
-    messages->push_back("There is no point array '" + name + "', which " + how.Property + " names; " + how.Without +
+    messages->push_back("There is no point array '" + name + "', which " + property + " names; " + without +
       ". Choose one that exists, or None.");
   }
   else if (array && !fits && messages)
   {
     std::ostringstream text;
-    text << "The point array '" << name << "', which " << how.Property << " names, has "
-         << array->GetNumberOfComponents() << " components where " << lengths.front();
+    text << "The point array '" << name << "', which " << property << " names, has " << array->GetNumberOfComponents()
+         << " components where " << lengths.front();
     for (std::size_t i = 1; i < lengths.size(); ++i)
     {
       text << (i + 1 < lengths.size() ? ", " : " or ") << lengths[i];
     }
-    text << " are needed; " << how.Without << ". Choose another array or mode.";
+    text << " are needed; " << without << ". Choose another array or mode.";
     messages->push_back(text.str());
   }
   return fits ? array : nullptr;

@@ -96,6 +96,13 @@ vtkDataArray*
 Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
 /**
+ * The same for any property that names an array of one of these lengths, none for any length; `without`: what happens
+ * then.
+ */
+vtkDataArray* Find(vtkPolyData* points, const std::string& name, const char* property, const std::vector<int>& lengths,
+  const char* without, std::vector<std::string>* messages);
+
+/**
  * A point's tuple of the array of opacities as the kernels want it.
  */
 float Opacity(GlyphTuples& opacities, vtkIdType point);

@@ -2,6 +2,7 @@
 
 #include "GlyphArrays.h"
 #include "GlyphInstanceBuilder.h"
+#include "GlyphPlacement.h"
 #include "GlyphTrails.h"
 #include "GlyphTuples.h"
 #include "RayTracedArrays.h"
@@ -135,10 +136,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->BuiltSettings = this->Settings.Effective();
   this->Placed = rtglyphs::GlyphPlacement(actor->GetMatrix()).Linear;
   const bool trails = this->BuiltSettings.TrailSteps > 0;
-  rtglyphs::GlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0 && !trails
-    ? rtglyphs::GlyphInstanceBuilder::Build(
-        points, this->BuiltSettings, this->Hidden, actor->GetMatrix(), this->BuildProgress)
-    : rtglyphs::GlyphInstanceBuilder::Result();
+  rtglyphs::GlyphInstanceBuilder::Result result;
   if (trails)
   {
     rtglyphs::GlyphTrails::Result built =
@@ -146,6 +144,11 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
     result.Instances = std::move(built.Instances);
     result.Points = std::move(built.Points);
     this->TrailEnds = std::move(built.Steps);
+  }
+  else if (points->GetNumberOfPoints() > 0)
+  {
+    result = rtglyphs::GlyphInstanceBuilder::Build(
+      points, this->BuiltSettings, this->Hidden, actor->GetMatrix(), this->BuildProgress);
   }
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
@@ -174,12 +177,9 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
 //----------------------------------------------------------------------------
 rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
 {
-  if (this->InstancesTaken)
+  if (this->InstancesTaken && this->GetPoints())
   {
-    if (vtkPolyData* points = this->GetPoints())
-    {
-      this->BuildInstances(points, actor);
-    }
+    this->BuildInstances(this->GetPoints(), actor);
   }
   this->InstancesTaken = true;
   return std::move(this->Instances);

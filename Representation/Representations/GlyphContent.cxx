@@ -95,8 +95,8 @@ void rtglyphs::GlyphContent::CountPointsOfAllRanks(vtkPolyData* points)
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphContent::IsTranslucent() const
 {
-  const bool table = this->TensorTable && this->Settings.HasNumberRange() && !this->TensorTable->IsOpaque();
   const std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(nullptr);
+  const bool table = this->TensorTable && layers.front().HasNumberRange() && !this->TensorTable->IsOpaque();
   return table || !rtglyphs::RayTracedArrays::IsNone(this->Settings.OpacityArray) ||
     std::any_of(layers.begin(), layers.end(),
       [](const rtglyphs::GlyphSettings& layer) { return layer.Opacity < 1.0 || layer.TrailFading > 0.0; });
@@ -194,7 +194,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
-    settings.Frame = GlyphFrame::Vector; // the magnitudes themselves
+    settings.Frame = settings.Frame == GlyphFrame::Split ? GlyphFrame::Vector : settings.Frame; // magnitudes themselves
     rtglyphs::RayTracedRanks::Together(
       [&]()
       {
@@ -256,11 +256,11 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::MakeLayers(vtkPolyD
   vtkDataArray* tensors = this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, glyphs.Tensors) : nullptr;
   if (tensors && tensors->GetNumberOfComponents() == 9 && !glyphs.Tensors.Covariances)
   {
-    layers.push_back(glyphs.In({ rtg::Shape::Arrow, GlyphFrame::Axis, 1.0 }));
+    layers.push_back(glyphs.In({ rtg::Shape::Arrow, GlyphFrame::Axis }));
   }
   if (this->HasTrails())
   {
-    layers.push_back(glyphs.Trails(this->Common.Time.GetTrailSteps(), this->TrailFading));
+    layers.push_back(glyphs.Trails(this->Common.Time.Steps.GetTrailSteps(), this->TrailFading));
   }
   return layers;
 }
@@ -288,7 +288,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   this->UpdateLegend(glyphs);
   this->Common.Key->SetColoring(glyphs.DirectionColoring);
 
-  this->ResizeLayers(this->Layers, frame.Representation, frame.View, layers.size() - 1);
+  this->Layers.Resize(layers.size() - 1, this->Common.Parts, frame.Representation, frame.View);
   for (std::size_t i = 1; i < layers.size(); ++i)
   {
     rtglyphs::GlyphLayers::Layer& layer = this->Layers[i - 1];
@@ -311,12 +311,18 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
 void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
 {
   this->Common.Parts.Mapper->SetAside(reduced);
-  this->Layers.SetAside(reduced);
+  for (const auto& layer : this->Layers)
+  {
+    layer->Mapper->SetAside(reduced);
+  }
   if (reduced || frame.Collective) // ranks have the same layers, whichever have enough points
   {
-    this->ResizeLayers(this->Reduced, frame.Representation, frame.View, 1);
+    this->Reduced.Resize(1, this->Common.Parts, frame.Representation, frame.View);
   }
-  this->Reduced.SetAside(!reduced);
+  for (const auto& layer : this->Reduced)
+  {
+    layer->Mapper->SetAside(!reduced);
+  }
   if (!reduced)
   {
     return;
@@ -356,21 +362,13 @@ void rtglyphs::GlyphContent::Show(bool visible)
 {
   this->RayTracedContent::Show(visible);
   this->Legend->SetVisibility(visible);
-  this->Layers.SetVisibility(visible);
-  this->Reduced.SetVisibility(visible);
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphContent::ResizeLayers(
-  rtglyphs::GlyphLayers& layers, vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size)
-{
-  rtglyphs::RayTracedParts& parts = this->Common.Parts;
-  layers.Resize(
-    size,
-    [=, &parts](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
-    { parts.Add(representation, view, actor, mapper); },
-    [=, &parts](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
-    { parts.Remove(representation, view, actor, mapper); });
+  for (const rtglyphs::GlyphLayers* layers : { &this->Layers, &this->Reduced })
+  {
+    for (const auto& layer : *layers)
+    {
+      layer->Actor->SetVisibility(visible);
+    }
+  }
 }
 
 //****************************************************************************

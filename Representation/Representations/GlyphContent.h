@@ -66,7 +66,7 @@ public:
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
     const RayTracedParallel::Progress& progress) const override;
   std::array<int, 3> GatherOptions() const override { return { 0, this->Cells, 0 }; }
-  bool HasTrails() const override { return this->Common.Time.GetTrailSteps() > 0; }
+  bool HasTrails() const override { return this->Common.Time.Steps.GetTrailSteps() > 0; }
   std::vector<std::string> Arrays() const override;
   GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   std::vector<GlyphSettings> GetAllSizes(vtkPolyData* points) override;
@@ -80,13 +80,18 @@ public:
   void Show(bool visible) override;
   void SetLayerBounds(const double bounds[6]) override
   {
-    this->Layers.SetKnownBounds(bounds);
-    this->Reduced.SetKnownBounds(bounds);
+    for (const GlyphLayers* layers : { &this->Layers, &this->Reduced })
+    {
+      for (const auto& layer : *layers)
+      {
+        layer->Mapper->SetKnownBounds(bounds);
+      }
+    }
   }
   void RemoveLayers(vtkPVDataRepresentation* representation, vtkPVRenderView* view) override
   {
-    this->ResizeLayers(this->Layers, representation, view, 0);
-    this->ResizeLayers(this->Reduced, representation, view, 0);
+    this->Layers.Resize(0, this->Common.Parts, representation, view);
+    this->Reduced.Resize(0, this->Common.Parts, representation, view);
   }
   vtkRayTracedLegend* GetLegend() { return this->Legend; }
 
@@ -98,8 +103,6 @@ private:
   void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
   void UpdateLegend(const GlyphSettings& settings);
-  void
-  ResizeLayers(GlyphLayers& layers, vtkPVDataRepresentation* representation, vtkPVRenderView* view, std::size_t size);
 
   vtkNew<vtkGlyphLegend> Legend;
   bool ScaleFactorFromData = false;

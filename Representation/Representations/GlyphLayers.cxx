@@ -12,43 +12,17 @@ void rtglyphs::GlyphLayers::Layer::Follow(
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphLayers::Resize(std::size_t size, const Part& add, const Part& remove)
+void rtglyphs::GlyphLayers::Resize(
+  std::size_t size, rtglyphs::RayTracedParts& parts, vtkPVDataRepresentation* owner, vtkPVRenderView* view)
 {
   while (this->Layers.size() > size)
   {
-    remove(this->Layers.back()->Actor, this->Layers.back()->Mapper);
+    parts.Remove(owner, view, this->Layers.back()->Actor, this->Layers.back()->Mapper);
     this->Layers.pop_back();
   }
   while (this->Layers.size() < size)
   {
     this->Layers.push_back(std::make_unique<Layer>());
-    add(this->Layers.back()->Actor, this->Layers.back()->Mapper);
-  }
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphLayers::SetVisibility(bool visible)
-{
-  for (const auto& layer : this->Layers)
-  {
-    layer->Actor->SetVisibility(visible);
-  }
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphLayers::SetAside(bool aside)
-{
-  for (const auto& layer : this->Layers)
-  {
-    layer->Mapper->SetAside(aside);
-  }
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphLayers::SetKnownBounds(const double bounds[6])
-{
-  for (const auto& layer : this->Layers)
-  {
-    layer->Mapper->SetKnownBounds(bounds);
+    parts.Add(owner, view, this->Layers.back()->Actor, this->Layers.back()->Mapper);
   }
 }

@@ -2,8 +2,7 @@
  * @class   GlyphLayers
  * @brief   what a representation of glyphs draws besides its main actor, each with an actor and a mapper of its own
  *
- * Layers show the points, blocks, placement and appearance of the main actor with other settings: further meshes of a
- * table of meshes, arrows of antisymmetric parts, trails.
+ * Layers show the points, blocks, placement and appearance of the main actor with other settings.
  */
 #ifndef GlyphLayers_h
 #define GlyphLayers_h
@@ -13,12 +12,15 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
+class vtkPVDataRepresentation;
+class vtkPVRenderView;
+
 namespace rtglyphs
 {
+class RayTracedParts;
 
 class GlyphLayers
 {
@@ -33,16 +35,13 @@ public:
   };
 
   /**
-   * Makes or drops layers; what comes or goes is added to the view, or removed, by these.
+   * Makes or drops layers of the view.
    */
-  using Part = std::function<void(vtkRayTracedActor*, vtkRayTracedMapper*)>;
-  void Resize(std::size_t size, const Part& add, const Part& remove);
+  void Resize(std::size_t size, RayTracedParts& parts, vtkPVDataRepresentation* owner, vtkPVRenderView* view);
 
   Layer& operator[](std::size_t i) { return *this->Layers[i]; }
-
-  void SetVisibility(bool visible);
-  void SetAside(bool aside);
-  void SetKnownBounds(const double bounds[6]);
+  auto begin() const { return this->Layers.begin(); }
+  auto end() const { return this->Layers.end(); }
 
 private:
   std::vector<std::unique_ptr<Layer>> Layers;

@@ -120,6 +120,7 @@ int vtkRayTracedRepresentation::RequestData(
     : nullptr;
   rtg::Stopwatch watch;
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
+  rtglyphs::GlyphSteps& steps = this->Common.Time.Steps;
   bool again = false;
   const bool good = this->WithinMemory(
     [&]
@@ -127,14 +128,12 @@ int vtkRayTracedRepresentation::RequestData(
       if (input)
       {
         const vtkSmartPointer<vtkDataObject> made = this->Gather(input, wholeExtent);
-        again = this->Content->HasTrails() &&
-          this->Common.Time.AddTrails(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
-            [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
+        again = steps.AddTo(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
+          this->Content->HasTrails(), [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
         if (again)
         {
           return;
         }
-        this->Common.Time.AddVelocities(made, input, this->GetInputAlgorithm());
         rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
         gathered = made;
       }
@@ -148,9 +147,9 @@ int vtkRayTracedRepresentation::RequestData(
   }
   if (!good)
   {
-    this->Common.Time.GiveUp();
+    steps.GiveUp();
   }
-  else if (const std::string message = this->Common.Time.TakeMessage(); !message.empty())
+  else if (const std::string message = steps.TakeMessage(); !message.empty())
   {
     vtkWarningMacro(<< message);
   }
@@ -238,7 +237,7 @@ int vtkRayTracedRepresentation::RequestUpdateTime(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateTime(request, inputVector, outputVector);
-  this->Common.Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
+  this->Common.Time.Steps.RequestMissing(inputVector, this->GetNumberOfInputPorts());
   return good;
 }
 
@@ -247,7 +246,7 @@ int vtkRayTracedRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  this->Common.Time.AskForMissingStep(inputVector, this->GetNumberOfInputPorts());
+  this->Common.Time.Steps.RequestMissing(inputVector, this->GetNumberOfInputPorts());
   // The mesh of mesh glyphs is the same on all processes.
   for (int i = 0; i < inputVector[GLYPH_TYPE_PORT]->GetNumberOfInformationObjects(); ++i)
   {

@@ -80,14 +80,14 @@ public:
   ///@{
   /**
    * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
-   * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphStepVelocity, where
+   * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphSteps, where
    * an array of one component, by default the global ids, identifies points. See GlyphMotion::Settings for
    * defaults.
    */
   void SetMotionBlur(bool on) { this->Common.Time.Motion.On = on; }
   void SetVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.Velocity, name); }
   void SetVelocityFromPreviousStep(bool on) { this->GatherIf(this->Common.Time.SetVelocityFromPreviousStep(on)); }
-  void SetPointIdArray(const char* name) { this->GatherIf(this->Common.Time.SetPointIdArray(OrEmpty(name))); }
+  void SetPointIdArray(const char* name) { this->GatherIf(this->Common.Time.Steps.SetPointIdArray(OrEmpty(name))); }
   void SetAccelerationArray(const char* name) { this->SetArray(this->Common.Time.Motion.Acceleration, name); }
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.AngularVelocity, name); }
   void SetMotionBlurMask(const char* name) { this->Common.Time.Motion.Mask = OrEmpty(name); }
@@ -100,10 +100,10 @@ public:
   ///@}
 
   /**
-   * In how many earlier time steps the points are sought (GlyphStepTrail), for representations that show their trails.
+   * In how many earlier time steps the points are sought (GlyphSteps), for representations that show their trails.
    * Default is 0.
    */
-  void SetTrailSteps(int steps) { this->GatherIf(this->Common.Time.SetTrailSteps(steps)); }
+  void SetTrailSteps(int steps) { this->GatherIf(this->Common.Time.Steps.SetTrailSteps(steps)); }
 
   ///@{
   /**

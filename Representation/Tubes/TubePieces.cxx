@@ -20,35 +20,39 @@ bool IsBad(const Ball& ball)
   return ball.Radius < 0.0;
 }
 
-// Whether the balls between two are those of the tube between these.
+// Whether the balls between two are those of the tube between these, none of which is bad.
 bool IsStraight(const Ball* first, const Ball* last)
 {
   constexpr double longest = 0.25, tolerance = 1e-3; // in radii
   const glm::dvec3 way = last->Place - first->Place;
   const double from = first->Radius, to = last->Radius, length = glm::length(way), least = std::min(from, to);
-  return length > 0.0 && length < longest * least &&
+  return length > 0.0 && length < longest * least && !IsBad(*first) && !IsBad(*last) &&
     std::all_of(first + 1, last,
       [&](const Ball& ball)
       {
         const glm::dvec3 apart = ball.Place - first->Place;
         const double along = glm::dot(apart, way) / (length * length);
-        return along >= 0.0 && along <= 1.0 && glm::length(apart - along * way) <= tolerance * least &&
+        return !IsBad(ball) && along >= 0.0 && along <= 1.0 && glm::length(apart - along * way) <= tolerance * least &&
           std::abs(ball.Radius - (from + along * (to - from))) <= tolerance * least;
       });
 }
 
 // Leaves out balls of which the tube through their neighbors shows nothing: a ray meets all balls of a tube whose
-// pieces are much shorter than its radius.
+// pieces are much shorter than its radius. Steps that double while they fit, and are halved then, look at each ball a
+// few times, however many there are.
 void Thin(Balls& balls)
 {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < balls.size();)
   {
     std::size_t next = i + 1;
-    while (!IsBad(balls[i]) && next + 1 < balls.size() && !IsBad(balls[next]) && !IsBad(balls[next + 1]) &&
-      IsStraight(&balls[i], &balls[next + 1]))
+    bool grows = true;
+    for (std::size_t step = 1; step > 0;)
     {
-      ++next;
+      const bool fits = next + step < balls.size() && IsStraight(&balls[i], &balls[next + step]);
+      next += fits ? step : 0;
+      grows &= fits;
+      step = grows ? 2 * step : step / 2;
     }
     balls[kept++] = balls[i];
     i = next;

@@ -64,6 +64,17 @@ def tensors(view):
     return shown
 
 
+def see_through(view):
+    """The same, of the opacities that a table gives their largest eigenvalues."""
+    shown = tensors(view)
+    table = pv.GetColorTransferFunction("see through")
+    table.RGBPoints, table.EnableOpacityMapping = [0.0, 1.0, 0.3, 0.0, 30.0, 0.0, 0.3, 1.0], 1
+    table.ScalarOpacityFunction = pv.GetOpacityTransferFunction("see through")
+    table.ScalarOpacityFunction.Points = [0.0, 0.3, 0.5, 0.0, 30.0, 0.6, 0.5, 0.0]
+    shown.GlyphTensorColoring, shown.GlyphTensorLookupTable = "Major Eigenvalue", table
+    return shown
+
+
 def unstructured(view, folder):
     """The particles of the simulation, spread over the ranks, and an opaque surface of their own in between."""
     spread = session.spread(folder + "/impact/impact_04.vtk")
@@ -319,11 +330,13 @@ def main(folder):
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     failures = []
     scenes = (("structured", structured, SIDE**3, CROSSING), ("vectors", vectors, SIDE**3, CROSSING), ("tensors", tensors, SIDE**3, CUTTING),
+              ("see-through", see_through, SIDE**3, CUTTING),
               ("trails", trails, 90, CROSSING), ("unstructured", lambda view: unstructured(view, folder), None, RASTERIZED))
     for name, scene, points, edges in scenes:
         view = session.view(300, 200)
         shown = scene(view)
-        for samples, replicate, allowed in ((1, 0, 0.0), (16, 0, edges * ranks / 2), (16, 1, 0.0)):
+        # Translucent glyphs that lie where the data are cut are in front of or behind a whole rank's.
+        for samples, replicate, allowed in ((1, 0, edges if scene is see_through else 0.0), (16, 0, edges * ranks / 2), (16, 1, 0.0)):
             shown.SamplesPerPixel = samples
             shown.ParallelLight = "Replicated" if replicate else "Local"
             pv.Render(view)

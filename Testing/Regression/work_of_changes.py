@@ -140,7 +140,6 @@ FIELDS = {
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
         "Covariances": "of confidence ellipsoids; see Frame",
         "Confidence": [({**TENSOR, "GlyphShape": "Confidence Ellipsoid"}, "GlyphConfidence", 0.5, "glyphs"), (TENSOR, "GlyphConfidence", 0.5, "nothing")],
-        "Thickness": "of confidence ellipsoids, whose settings are their own",
     },
     "GlyphForms::Settings": {
         "On": (FORMS, "GlyphShape", "None", "glyphs"),

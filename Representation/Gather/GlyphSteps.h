@@ -1,0 +1,108 @@
+/**
+ * @class   GlyphSteps
+ * @brief   earlier time steps of points: their trails, and velocities by differences
+ *
+ * Trails have the places in the last steps before the one shown. These steps are requested from the pipeline, one after
+ * the other, and kept until it changes: a step that is jumped to has the same trails as one that was played to. A trail
+ * ends where the next earlier step has no single point of that id, or none of finite position, and where the point
+ * crossed a border (GlyphStep::WithoutCrossings()); in a periodic box it goes on to the nearest image.
+ *
+ * Velocities are v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of first order. "Before" is the
+ * last step of another time that was shown, whichever it was: time may jump and run backwards, and data that come in
+ * situ have no earlier steps to request. A point stands still where its id is new, or occurs more than once in one of
+ * the steps, where one of the two positions is not finite, where it crossed a border, and in the first step.
+ *
+ * A step takes 48 bytes a point.
+ */
+#ifndef GlyphSteps_h
+#define GlyphSteps_h
+
+#include "GlyphStep.h"
+#include "Glyphs.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace rtglyphs
+{
+
+class GlyphSteps
+{
+public:
+  ///@{
+  /**
+   * How many earlier steps trails have, 0 for none; whether there are velocities; the array of GlyphStep. Whether the
+   * points must be gathered anew.
+   */
+  bool SetTrailSteps(int steps);
+  bool SetVelocities(bool on);
+  bool SetPointIdArray(const std::string& name);
+  ///@}
+
+  int GetTrailSteps() const { return this->TrailSteps; }
+
+  /**
+   * Adds RayTracedArrays::Trail, from the last step backwards, NaN where there is none, and StepVelocity to the leaves
+   * of a RayTracedTree that was gathered of `input`, at the pipeline's time. `from` has the pipeline's time steps.
+   * True: the pipeline must be updated again, for the time that RequestMissing() sets for all its inputs. All ranks do
+   * it at once.
+   */
+  bool AddTo(vtkDataObject* gathered, vtkDataObject* input, double time, vtkInformation* from, vtkAlgorithm* source,
+    bool trails, const std::function<rtg::PeriodicImages()>& images);
+  void RequestMissing(vtkInformationVector** inputs, int ports) const;
+
+  /**
+   * Nothing is missing any more: gathering has failed.
+   */
+  void GiveUp() { this->Missing.clear(); }
+
+  /**
+   * What is to be said of the last step, with a remedy; empty where it has been said.
+   */
+  std::string TakeMessage();
+
+  /**
+   * The time between the last two steps; 0: there was one at most.
+   */
+  double GetStepLength() const;
+
+private:
+  struct Step
+  {
+    double Time;
+    GlyphStep Points;
+  };
+  void Forget();
+  void FindMissing(double time, vtkInformation* from, vtkAlgorithm* source);
+  void AddTrails(vtkDataObject* gathered, const rtg::PeriodicImages& images) const;
+  void AddVelocities(vtkDataObject* gathered);
+  void Say(const std::string& message, const std::string& kind);
+
+  int TrailSteps = 0;
+  bool Velocities = false;
+  std::string PointIdArray;
+  vtkWeakPointer<vtkAlgorithm> Source; // whose steps they are
+  std::optional<Step> Shown, Before;
+  vtkMTimeType SourceTime = 0; // of the pipeline when steps were kept
+  std::map<double, GlyphStep> Kept;
+  std::vector<double> Earlier; // times before the one shown, the last first
+  std::vector<double> Missing; // the last is requested
+  bool Returns = false;        // the time shown is requested again
+  std::set<std::string> Said;
+  std::string Message;
+};
+
+} // namespace rtglyphs
+
+#endif
