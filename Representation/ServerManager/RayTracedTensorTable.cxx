@@ -3,8 +3,7 @@
 #include "DataSummary.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
-#include "RayTracedDefault.h"
-#include "RayTracedGlyphDefaults.h"
+#include "RayTracedChoices.h"
 #include "vtkNew.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkSMPropertyHelper.h"
@@ -33,21 +32,14 @@ std::string NumberOf(vtkSMProxy* glyphs)
       .GetAsString();
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
   const bool shown = local && local->GetVisibility() &&
-    rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && array &&
+    rtglyphs::RayTracedChoices::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && array &&
     array[0] && strcmp(array, "None") != 0;
   return shown ? std::string(array) + " " + coloring.GetAsString() : std::string();
 }
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedTensorTable::Follow(const std::string& name)
-{
-  const bool number = name == "GlyphTensorColoring" || name == "GlyphTensorArray" || name == "GlyphHarmonicsArray";
-  this->IsChosen = name == "GlyphTensorLookupTable" || (this->IsChosen && !number);
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
+void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool isUsers)
 {
   const std::string name = NumberOf(glyphs);
   vtkNew<vtkSMTransferFunctionManager> tables;
@@ -76,8 +68,8 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
   // The range stays where the user has locked it, and where the table came with one, as in a state.
   const bool locked =
     vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").GetAsInt() == vtkSMTransferFunctionManager::NEVER;
-  const bool stays = vtkSMPropertyHelper(table, "ScalarRangeInitialized").GetAsInt() &&
-    (locked || (fresh && this->IsChosen && set == table));
+  const bool stays =
+    vtkSMPropertyHelper(table, "ScalarRangeInitialized").GetAsInt() && (locked || (fresh && isUsers && set == table));
   if (found[0] <= found[1] && (fresh || found[0] != this->Range[0] || found[1] != this->Range[1]))
   {
     if (!stays)
@@ -87,15 +79,15 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
     this->Range[0] = found[0];
     this->Range[1] = found[1];
   }
-  if (set != table && !(set && this->IsChosen))
+  if (set != table && !(set && isUsers))
   {
+    const RayTracedChoices::Scope scope;
     vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").Set(table);
     glyphs->UpdateVTKObjects();
-    this->IsChosen = false;
   }
   // Of what the data have chosen ParaView's window shows bars, scripts do it themselves.
   const bool shows = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() == 0 ||
-    rtglyphs::RayTracedDefault::IsInWindow(glyphs->GetTrueParentProxy());
+    rtglyphs::RayTracedChoices::IsInWindow(glyphs->GetTrueParentProxy());
   if (vtkSMProxy* bar = fresh && shows ? barOf(name) : nullptr)
   {
     vtkSMPropertyHelper(bar, "Title").Set(name.c_str());
