@@ -34,6 +34,7 @@ namespace
 {
 using rtglyphs::RayTracedChoices;
 using Shapes = rtglyphs::GlyphShapes;
+using List = vtkSMRayTracedArrayListDomain;
 
 int choosing = 0; // scopes
 
@@ -81,12 +82,6 @@ bool IsLoadingState(vtkSMProxy* glyphs)
   return proxies && proxies->GetInLoadXMLState();
 }
 
-bool IsNone(vtkSMProperty* array)
-{
-  const char* value = vtkSMPropertyHelper(array).GetAsString();
-  return !value || !value[0] || strcmp(value, "None") == 0;
-}
-
 // The number that a domain of bounds would set; NaN: none.
 double Suggested(vtkSMProperty* property)
 {
@@ -102,7 +97,7 @@ double Suggested(vtkSMProperty* property)
 vtkSMDomain* DomainOf(vtkSMProxy* glyphs, const std::string& name)
 {
   vtkSMProperty* own = glyphs->GetProperty(name.c_str());
-  if (auto* list = own->FindDomain<vtkSMRayTracedArrayListDomain>())
+  if (auto* list = own->FindDomain<List>())
   {
     return list;
   }
@@ -190,7 +185,8 @@ void rtglyphs::RayTracedChoices::Reset(vtkSMProperty* property, bool found)
 }
 
 //----------------------------------------------------------------------------
-// While the display is made ParaView sets its properties, and what another client sets comes with its FromData.
+// While the display is made ParaView sets its properties. What another client sets comes with its FromData; those that
+// 3D Glyphs has, too, that client may have chosen from the data.
 bool rtglyphs::RayTracedChoices::Follow(vtkSMProxy* glyphs, const std::string& name)
 {
   const bool same = this->InView && name == "ColorArrayName" && this->Coloring.HasSameArray(glyphs);
@@ -199,11 +195,20 @@ bool rtglyphs::RayTracedChoices::Follow(vtkSMProxy* glyphs, const std::string& n
     this->Chosen[name] = PLUGIN;
     return false;
   }
-  if (same || !this->InView || glyphs->GetSession()->IsProcessingRemoteNotification())
+  if (same || !this->InView)
   {
     return false;
   }
-  this->Chosen[name] = USER;
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  const bool remote = glyphs->GetSession()->IsProcessingRemoteNotification();
+  if (!remote || display->GetProperty(name.c_str()) == glyphs->GetProperty(name.c_str()))
+  {
+    this->Chosen[name] = USER;
+  }
+  if (remote)
+  {
+    return false;
+  }
   for (const FromData& one : fromData)
   {
     if (name == one.Property)
@@ -213,7 +218,6 @@ bool rtglyphs::RayTracedChoices::Follow(vtkSMProxy* glyphs, const std::string& n
   }
   if (name == "ScaleFactor")
   {
-    vtkSMProxy* display = glyphs->GetTrueParentProxy();
     vtkSMProperty* factor = display->GetProperty("ScaleFactor");
     if (vtkSMPropertyHelper(factor).GetAsDouble() == Suggested(factor)) // a reset
     {
@@ -330,7 +334,7 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
   vtkSMProperty* type = display->GetProperty("GlyphType");
   auto* list = type->FindDomain<vtkSMProxyListDomain>();
   vtkSMProxy* sphere = list ? list->FindProxy("sources", "SphereSource") : nullptr;
-  if (sphere && !this->IsUsers("GlyphType") && IsNone(display->GetProperty("SelectOrientationVectors")))
+  if (sphere && !this->IsUsers("GlyphType") && List::Named(display, "SelectOrientationVectors").empty())
   {
     vtkSMPropertyHelper(type).Set(sphere);
     this->ChooseShape(glyphs);
@@ -379,9 +383,9 @@ bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, const std::string& na
   {
     return false;
   }
-  auto* list = vtkSMRayTracedArrayListDomain::SafeDownCast(domain);
+  auto* list = List::SafeDownCast(domain);
   const bool points = name == "GlyphLocation" && vtkSMPropertyHelper(shared).GetAsInt() == 0; // also of no arrays
-  const bool none = list ? IsNone(shared) : points || this->Is(name, NOBODY);
+  const bool none = list ? List::Named(display, name.c_str()).empty() : points || this->Is(name, NOBODY);
   const auto isLost = [&]
   {
     const char* array = vtkSMPropertyHelper(shared).GetAsString();
@@ -409,7 +413,7 @@ bool rtglyphs::RayTracedChoices::RenewRadius(vtkSMProxy* glyphs)
   constexpr double mostExcess = rtglyphs::GlyphKeptGuess::mostExcess;
   vtkSMProperty* radius = glyphs->GetProperty("TubeRadius");
   const double ratio = Suggested(radius) / vtkSMPropertyHelper(radius).GetAsDouble();
-  const bool scaled = !IsNone(glyphs->GetProperty("TubeRadiusArray"));
+  const bool scaled = !List::Named(glyphs, "TubeRadiusArray").empty();
   return (scaled ? mostExcess * ratio < 1.0 : ratio > mostExcess) &&
     this->Renew(glyphs, "TubeRadius", Where::Everywhere);
 }
@@ -426,9 +430,9 @@ void rtglyphs::RayTracedChoices::ChooseArrays(vtkSMProxy* glyphs)
 void rtglyphs::RayTracedChoices::ChooseShape(vtkSMProxy* glyphs)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
-  auto* scales = vtkSMRayTracedArrayListDomain::Of(glyphs, "SelectScaleArray");
-  const auto tensors = vtkSMRayTracedArrayListDomain::Of(glyphs, "GlyphTensorArray")->Choose();
-  const auto shown = tensors ? tensors : vtkSMRayTracedArrayListDomain::Of(glyphs, "GlyphHarmonicsArray")->Choose();
+  auto* scales = List::Of(glyphs, "SelectScaleArray");
+  const auto tensors = List::Of(glyphs, "GlyphTensorArray")->Choose();
+  const auto shown = tensors ? tensors : List::Of(glyphs, "GlyphHarmonicsArray")->Choose();
   const int shape = !shown.IsEvident || tensors.Components > 9 ? Shapes::GLYPH_TYPE
     : !tensors                                                 ? Shapes::SPHERICAL_HARMONICS
     : tensors.IsNegative                                       ? Shapes::SIGNED_TENSOR_SUPERQUADRIC
@@ -453,10 +457,10 @@ void rtglyphs::RayTracedChoices::ChooseScaleMode(vtkSMProxy* glyphs)
   {
     return;
   }
-  const auto size = vtkSMRayTracedArrayListDomain::Of(glyphs, "SelectScaleArray")->Choose();
-  const bool turned = vtkSMRayTracedArrayListDomain::IsBody(glyphs);
+  const auto size = List::Of(glyphs, "SelectScaleArray")->Choose();
+  const bool turned = List::IsBody(glyphs);
   const bool sphere = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == Shapes::GLYPH_TYPE &&
-    !this->IsUsers("GlyphType") && IsNone(glyphs->GetProperty("SelectOrientationVectors"));
+    !this->IsUsers("GlyphType") && List::Named(glyphs, "SelectOrientationVectors").empty();
   const bool sized = (turned || sphere) && rtglyphs::GlyphArrayRoles::IsSize(size.Name);
   const int mode = !sized  ? vtkGlyph3DMapper::NO_DATA_SCALING
     : size.Components == 1 ? vtkGlyph3DMapper::SCALE_BY_MAGNITUDE
@@ -494,7 +498,7 @@ void rtglyphs::RayTracedChoices::ChooseTubes(vtkSMProxy* display)
       radii.emplace_back(list->GetString(i));
     }
   }
-  if (radii.size() == 1 && IsNone(radius))
+  if (radii.size() == 1 && List::Named(display, "TubeRadiusArray").empty())
   {
     vtkSMPropertyHelper(radius).Set(radii.front().c_str());
   }

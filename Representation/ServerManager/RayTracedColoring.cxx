@@ -29,15 +29,10 @@ namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
 using Shapes = rtglyphs::GlyphShapes;
+using List = vtkSMRayTracedArrayListDomain;
 using rtglyphs::GlyphJoinedArrays::vanDerWaals;
 
 constexpr double fewNegative = 0.1; // fraction of the tensors, as noise makes it
-
-std::string ValueOf(vtkSMProxy* proxy, const char* name)
-{
-  const char* value = vtkSMPropertyHelper(proxy, name).GetAsString();
-  return value && strcmp(value, "None") != 0 ? value : "";
-}
 
 // The last two of five strings are association and name.
 std::string ColorArrayOf(vtkSMProxy* proxy, unsigned int string = 4)
@@ -46,17 +41,12 @@ std::string ColorArrayOf(vtkSMProxy* proxy, unsigned int string = 4)
   return value ? value : "";
 }
 
-vtkSMRayTracedArrayListDomain* ScaleArrays(vtkSMProxy* glyphs)
-{
-  return vtkSMRayTracedArrayListDomain::Of(glyphs, "SelectScaleArray");
-}
-
 // Shapes whose surfaces GlyphTensorColoring colors; empty: none, or no array.
 std::string TensorsOf(vtkSMProxy* glyphs, int shape)
 {
   return !Shapes::IsColored(shape)
     ? std::string()
-    : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
+    : List::Named(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
 }
 
 // NONE: directions do.
@@ -89,8 +79,9 @@ void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
 // By an array of the data.
 bool AreOriented(vtkSMProxy* glyphs)
 {
-  auto* list = vtkSMRayTracedArrayListDomain::Of(glyphs, "SelectOrientationVectors");
-  return vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() && list->Find(ValueOf(glyphs, "SelectOrientationVectors"));
+  auto* list = List::Of(glyphs, "SelectOrientationVectors");
+  return vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() &&
+    list->Find(List::Named(glyphs, "SelectOrientationVectors"));
 }
 
 // Vectors without a magnitude to show.
@@ -109,18 +100,18 @@ bool AreColors(const Array& array)
 // ColorArrayName does not take. Empty: none, or the direction is several arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
-  vtkSMRayTracedArrayListDomain* list = ScaleArrays(glyphs);
+  List* list = List::Of(glyphs, "SelectScaleArray");
   const auto has = [](const Array& array) { return array && array.Columns.empty() && array.Components <= 3; };
   const bool directed = shape == Shapes::SPLIT_VECTOR || Shapes::IsUncertain(shape) ||
-    (vtkSMRayTracedArrayListDomain::AreArrows(glyphs) && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
-  const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
+    (List::AreArrows(glyphs) && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
+  const std::string direction = directed ? List::Named(glyphs, "SelectOrientationVectors") : "";
   const Array vector = list->Find(direction);
   if (IsUnit(vector) || (!has(vector) && direction.find(", ") != std::string::npos))
   {
     return {};
   }
   std::string sizes =
-    vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
+    vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? List::Named(glyphs, "SelectScaleArray") : "";
   const Array size = list->Find(
     sizes.starts_with(vanDerWaals) ? sizes.substr(vanDerWaals.size()) : sizes); // elements, which have colors
   std::vector<Array> arrays = list->Listed();
@@ -139,8 +130,9 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   const std::string setting =
     std::string(".") + display->GetXMLGroup() + "." + display->GetXMLName() + ".ColorArrayName";
-  const Array found = ScaleArrays(glyphs)->Find(ColorArrayOf(display));
-  const bool isQuantity = found && !IsUnit(found) && (found.IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, { found }));
+  const Array found = List::Of(glyphs, "SelectScaleArray")->Find(ColorArrayOf(display));
+  const bool isQuantity =
+    found && !IsUnit(found) && (found.IsColor || List::Of(glyphs, "SelectScaleArray")->ChooseFor(SIZE, { found }));
   this->Begun = true;
   this->Wanted |= !isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str());
 }
@@ -183,7 +175,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
   }
   const bool chosen = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() && this->Choose(glyphs);
-  const bool bytes = AreColors(ScaleArrays(glyphs)->Find(ColorArrayOf(display)));
+  const bool bytes = AreColors(List::Of(glyphs, "SelectScaleArray")->Find(ColorArrayOf(display)));
   if (window && this->Begun && std::exchange(this->Bytes, bytes) != bytes)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
@@ -204,7 +196,7 @@ bool rtglyphs::RayTracedColoring::Choose(vtkSMProxy* glyphs)
   const std::string tensors = TensorsOf(glyphs, shape);
   const int coloring = tensors.empty() ? rtglyphs::GlyphTensors::NONE : TensorColoring(glyphs, shape);
   const std::string name = tensors.empty() ? ArrayToColorBy(glyphs, shape) : std::string();
-  const Array array = ScaleArrays(glyphs)->Find(name);
+  const Array array = List::Of(glyphs, "SelectScaleArray")->Find(name);
   const bool directions =
     tensors.empty() ? name.empty() && AreOriented(glyphs) : coloring == rtglyphs::GlyphTensors::NONE;
   const std::string shown = !tensors.empty() ? tensors + ' ' + std::to_string(coloring) : directions ? " " : name;

@@ -21,15 +21,11 @@
 
 namespace
 {
+using List = vtkSMRayTracedArrayListDomain;
+
 std::string Percent(double fraction)
 {
   return std::to_string(std::max(1, static_cast<int>(std::lround(100.0 * fraction)))) + " %";
-}
-
-bool IsNone(vtkSMProxy* display, const char* array)
-{
-  const char* value = vtkSMPropertyHelper(display, array).GetAsString();
-  return !value || !value[0] || strcmp(value, "None") == 0;
 }
 
 bool HasPeriodicBox(vtkSMProxy* display)
@@ -52,8 +48,7 @@ bool HasPeriodicBox(vtkSMProxy* display)
 // Six numbers without names may have another order.
 void ExplainOrder(vtkSMProxy* glyphs, bool tensors, std::vector<std::string>& sentences)
 {
-  const auto array = vtkSMRayTracedArrayListDomain::Of(glyphs, "GlyphTensorArray")
-                       ->Find(vtkSMPropertyHelper(glyphs, "GlyphTensorArray").GetAsString());
+  const auto array = List::Of(glyphs, "GlyphTensorArray")->Find(List::Named(glyphs, "GlyphTensorArray"));
   if (tensors && array && array.Components == 6 && !array.HasTensorNames)
   {
     sentences.push_back("Components of " + array.Name +
@@ -64,7 +59,7 @@ void ExplainOrder(vtkSMProxy* glyphs, bool tensors, std::vector<std::string>& se
 // Azimuths, from north or from x, are not taken for directions, nor is V_theta beside V_r.
 void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
 {
-  const auto arrays = vtkSMRayTracedArrayListDomain::Of(glyphs, "SelectScaleArray")->Listed();
+  const auto arrays = List::Of(glyphs, "SelectScaleArray")->Listed();
   const auto isAround = [&arrays](const std::string& name)
   {
     const std::size_t coordinate = name.ends_with("theta") ? 5 : name.ends_with("phi") ? 3 : 0;
@@ -88,10 +83,10 @@ void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
 // What the number of components alone says nothing sure of is not shown at once.
 void ExplainShapes(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
 {
-  const auto tensors = vtkSMRayTracedArrayListDomain::Of(glyphs, "GlyphTensorArray")->Choose();
+  const auto tensors = List::Of(glyphs, "GlyphTensorArray")->Choose();
   if (tensors && (!tensors.IsEvident || tensors.Components > 9) && tensors.Name.find(", ") == std::string::npos)
   {
-    const bool either = vtkSMRayTracedArrayListDomain::Of(glyphs, "GlyphHarmonicsArray")->Choose().Name == tensors.Name;
+    const bool either = List::Of(glyphs, "GlyphHarmonicsArray")->Choose().Name == tensors.Name;
     sentences.push_back("GlyphShape can show " + tensors.Name +
       (tensors.Components > 9 ? " as Fourth-Order Tensor" : " as tensors") + (either ? " or Spherical Harmonics" : ""));
   }
@@ -138,14 +133,11 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   const auto number = [glyphs](const char* name) { return vtkSMPropertyHelper(glyphs, name).GetAsDouble(); };
   const auto explain = [&](const char* what, const char* name)
   {
-    auto* domain = vtkSMRayTracedArrayListDomain::Of(glyphs, name);
-    if (IsNone(glyphs, name) || !domain)
+    if (const std::string array = List::Named(glyphs, name); !array.empty())
     {
-      return;
+      const auto choice = List::Of(glyphs, name)->Choose();
+      sentences.push_back(what + (" by " + array) + (choice.Name == array ? ": " + choice.Why : ""));
     }
-    const std::string array = vtkSMPropertyHelper(glyphs, name).GetAsString();
-    const auto choice = domain->Choose();
-    sentences.push_back(what + (" by " + array) + (choice.Name == array ? ": " + choice.Why : ""));
   };
   using Shapes = rtglyphs::GlyphShapes;
   const int shape = static_cast<int>(number("GlyphShape"));
@@ -156,7 +148,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
     explain("Shape", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");
     ExplainOrder(glyphs, formed, sentences);
   }
-  else if (IsNone(glyphs, "SelectOrientationVectors"))
+  else if (List::Named(glyphs, "SelectOrientationVectors").empty())
   {
     ExplainAngles(glyphs, sentences);
     ExplainShapes(glyphs, sentences);
@@ -164,7 +156,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {
     explain("Size", "SelectScaleArray");
-    if (IsNone(glyphs, "SelectScaleArray"))
+    if (List::Named(glyphs, "SelectScaleArray").empty())
     {
       sentences.emplace_back("ScaleMode has no effect: choose a SelectScaleArray");
     }
@@ -175,7 +167,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
     sentences.push_back(
       "About " + Percent(limited) + " of the glyphs are drawn smaller than in proportion, all of one size");
   }
-  if (shape == 0 && number("UseGlyphTable") != 0.0 && IsNone(glyphs, "GlyphTableIndexArray"))
+  if (shape == 0 && number("UseGlyphTable") != 0.0 && List::Named(glyphs, "GlyphTableIndexArray").empty())
   {
     sentences.emplace_back("UseGlyphTable has no effect: choose a GlyphTableIndexArray");
   }

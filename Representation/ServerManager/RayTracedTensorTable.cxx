@@ -8,11 +8,10 @@
 #include "vtkRayTracedRepresentation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
-
-#include <cstring>
 
 namespace
 {
@@ -27,14 +26,12 @@ std::string NumberOf(vtkSMProxy* glyphs)
   const bool number = Shapes::IsPolynomial(shape)
     ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
     : Shapes::IsColored(shape) && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
-  const char* array =
-    vtkSMPropertyHelper(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray")
-      .GetAsString();
+  const std::string array = vtkSMRayTracedArrayListDomain::Named(
+    glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
   const bool shown = local && local->GetVisibility() &&
-    rtglyphs::RayTracedChoices::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && array &&
-    array[0] && strcmp(array, "None") != 0;
-  return shown ? std::string(array) + " " + coloring.GetAsString() : std::string();
+    rtglyphs::RayTracedChoices::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && !array.empty();
+  return shown ? array + " " + coloring.GetAsString() : std::string();
 }
 }
 

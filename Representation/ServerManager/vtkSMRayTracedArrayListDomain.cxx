@@ -160,6 +160,13 @@ vtkSMRayTracedArrayListDomain* vtkSMRayTracedArrayListDomain::Of(vtkSMProxy* gly
 }
 
 //----------------------------------------------------------------------------
+std::string vtkSMRayTracedArrayListDomain::Named(vtkSMProxy* proxy, const char* property)
+{
+  const char* name = vtkSMPropertyHelper(proxy, property).GetAsString();
+  return name && strcmp(name, "None") != 0 ? name : "";
+}
+
+//----------------------------------------------------------------------------
 int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
   const std::map<std::string, Role> roles{ { "direction", DIRECTION }, { "velocity", VELOCITY }, { "tensor", TENSOR },
@@ -242,16 +249,13 @@ Choice vtkSMRayTracedArrayListDomain::Choose(const char* only)
   const Role role = this->Chosen == DIRECTION && body ? ROTATION
     : this->Chosen == SIZE && AreArrows(glyphs)       ? LENGTH
                                                       : this->Chosen;
-  if (role == LENGTH)
+  // Lengths of other vectors than the directions would be a wrong figure.
+  const std::string direction = role == LENGTH ? Named(glyphs, "SelectOrientationVectors") : "";
+  for (const Array& array : arrays)
   {
-    // Lengths of other vectors than the directions would be a wrong figure.
-    const char* direction = vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
-    for (const Array& array : arrays)
+    if (array.Components <= 3 && array.Name == direction)
     {
-      if (array.Components <= 3 && direction && array.Name == direction)
-      {
-        return { array, "the direction of the arrows" };
-      }
+      return { array, "the direction of the arrows" };
     }
   }
   return this->ChooseFor(role, arrays);

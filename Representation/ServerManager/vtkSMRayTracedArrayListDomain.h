@@ -35,6 +35,11 @@ public:
    */
   static vtkSMRayTracedArrayListDomain* Of(vtkSMProxy* glyphs, const char* property);
 
+  /**
+   * The array that a property names; empty: none.
+   */
+  static std::string Named(vtkSMProxy* proxy, const char* property);
+
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
 
 #ifndef __VTK_WRAP__
