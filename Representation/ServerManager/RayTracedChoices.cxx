@@ -398,9 +398,13 @@ bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, const std::string& na
   }
   const Scope scope;
   const vtkMTimeType before = shared->GetMTime();
-  Reset(own, domain->SetDefaultValues(shared, /*use_unchecked_values=*/false) != 0);
-  if (shared != own)
+  if (shared == own)
   {
+    own->ResetToDomainDefaults(/*use_unchecked_values=*/false);
+  }
+  else
+  {
+    domain->SetDefaultValues(shared, /*use_unchecked_values=*/false);
     own->Copy(shared); // links pass nothing on while they pass on ScaleMode
   }
   return shared->GetMTime() != before;

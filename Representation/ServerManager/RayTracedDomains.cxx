@@ -19,6 +19,7 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringVectorProperty.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,11 +198,26 @@ public:
   bool ResetToDomainDefaults(bool useUncheckedValues) override
   {
     const rtglyphs::RayTracedChoices::Scope scope;
-    const bool found = Base::ResetToDomainDefaults(useUncheckedValues);
-    if (found && !useUncheckedValues)
+    bool found = Base::ResetToDomainDefaults(useUncheckedValues);
+    if (useUncheckedValues)
     {
-      rtglyphs::RayTracedChoices::Reset(this, true);
+      return found;
     }
+    if (found)
+    {
+      this->Found = nullptr;
+      if (!Base::IsValueDefault())
+      {
+        this->Found.TakeReference(this->NewInstance());
+        this->Found->Copy(this);
+      }
+    }
+    else if (this->Found) // ParaView resets the input first
+    {
+      this->Copy(this->Found);
+      found = true;
+    }
+    rtglyphs::RayTracedChoices::Reset(this, found);
     return found;
   }
 
@@ -219,6 +235,9 @@ public:
       Base::SaveState(parent, name, uid, saveDomains);
     }
   }
+
+private:
+  vtkSmartPointer<vtkSMProperty> Found; // value that its domains found last; null: the XML's default
 };
 
 // Makes a class known to the server manager by that name.
