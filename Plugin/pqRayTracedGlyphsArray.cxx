@@ -1,7 +1,7 @@
 #include "pqRayTracedGlyphsArray.h"
 
 #include "GlyphShapes.h"
-#include "RayTracedGlyphDefaults.h"
+#include "RayTracedChoices.h"
 #include "pqCoreUtilities.h"
 #include "vtkCommand.h"
 #include "vtkSMProperty.h"
@@ -28,7 +28,7 @@ bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
 // The arrays that 3D Glyphs takes, or, with `own`, those that ray-traced glyphs take.
 vtkSMStringListDomain* ArraysOf(vtkSMProxy* display, vtkSMProperty* property, bool own)
 {
-  vtkSMProxy* glyphs = own ? rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display) : display;
+  vtkSMProxy* glyphs = own ? rtglyphs::RayTracedChoices::GlyphsOf(display) : display;
   vtkSMProperty* listed = glyphs ? glyphs->GetProperty(display->GetPropertyName(property)) : nullptr;
   return listed ? listed->FindDomain<vtkSMStringListDomain>() : nullptr;
 }

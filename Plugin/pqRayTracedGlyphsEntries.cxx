@@ -14,9 +14,7 @@
 #include <QStandardItemModel>
 #include <QStringList>
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 //----------------------------------------------------------------------------
 pqRayTracedGlyphsEntries::pqRayTracedGlyphsEntries(vtkPVXMLElement* xml, pqPropertyWidget* row)
@@ -35,13 +33,11 @@ bool pqRayTracedGlyphsEntries::canShowWidget(bool) const
   const QStringList numbers = QString(this->xml()->GetAttribute("components")).split(' ');
   vtkSMProperty* tensors = this->parentWidget()->proxy()->GetProperty("GlyphTensorArray");
   auto* listed = tensors->FindDomain<vtkSMRayTracedArrayListDomain>();
-  const std::string name = vtkSMPropertyHelper(tensors).GetAsString();
   using Array = vtkSMRayTracedArrayListDomain::Array;
-  const std::vector<Array> arrays = listed && !numbers[0].isEmpty() ? listed->Listed() : std::vector<Array>();
-  const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == name; });
-  const bool named = array != arrays.end() && (array->HasTensorNames || !array->Columns.empty());
-  return array == arrays.end() ||
-    (numbers.contains(QString::number(array->Components)) && (array->Components > 6 || !named));
+  const Array array =
+    listed && !numbers[0].isEmpty() ? listed->Find(vtkSMPropertyHelper(tensors).GetAsString()) : Array();
+  const bool named = array.HasTensorNames || !array.Columns.empty();
+  return !array || (numbers.contains(QString::number(array.Components)) && (array.Components > 6 || !named));
 }
 
 //----------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 #include "pqActiveObjects.h"
 #include "pqAnimationScene.h"
-#include "RayTracedSuggestion.h"
+#include "RayTracedChoices.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqProgressManager.h"
@@ -146,7 +146,7 @@ void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* represen
 void pqRayTracedGlyphsRefinement::tell(vtkObject* number)
 {
   auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
-  if (window && rtglyphs::RayTracedSuggestion::IsTaking())
+  if (window && rtglyphs::RayTracedChoices::IsChoosing())
   {
     auto* property = static_cast<vtkSMProperty*>(number);
     window->statusBar()->showMessage(tr("%1 is now %2, chosen from the data")

@@ -22,7 +22,7 @@ enum Numbers
   LEAST_OF_TENSORS,   // of the numbers of GlyphTensorColoring
   LARGEST_OF_TENSORS, // the same
   NEGATIVE_TENSORS,   // the fraction that has a negative eigenvalue
-  SCALE_PERCENTILE,   // GlyphScalePercentile
+  SCALE_PERCENTILE,   // of arrows with fixed heads, GlyphContent
   MESH_WIDTH,         // of mesh glyphs
   MESH_HEIGHT,        // the same
   LARGEST_MAGNITUDE,  // for the legend

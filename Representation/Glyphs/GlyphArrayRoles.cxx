@@ -420,9 +420,7 @@ Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& ar
     if (evidence.Score > most.Score)
     {
       most = evidence;
-      best.Name = array.Name;
-      best.Components = array.Components;
-      best.IsNegative = array.IsNegative;
+      static_cast<Array&>(best) = array;
     }
   }
   if (best)

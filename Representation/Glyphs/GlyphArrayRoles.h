@@ -39,16 +39,15 @@ struct Array
   bool IsPlace = false;                // three components with the ranges of the points' coordinates
   double Least = 0.0, Largest = -1.0;  // value, of several components magnitude; Largest < Least: not known
   bool IsKnown() const { return this->Least <= this->Largest; }
+  bool IsConstant() const { return this->Least == this->Largest; }
+  explicit operator bool() const { return !this->Name.empty(); }
 };
 
-struct Choice
+// Without a name: none.
+struct Choice : Array
 {
-  std::string Name; // empty: none
-  std::string Why;  // the reason, in a few words
-  int Components = 0;
-  bool IsEvident = false;  // more than the number of some columns speaks for it
-  bool IsNegative = false; // Array::IsNegative
-  explicit operator bool() const { return !this->Name.empty(); }
+  std::string Why;        // the reason, in a few words
+  bool IsEvident = false; // more than the number of some columns speaks for it
 };
 
 /**

@@ -132,7 +132,7 @@ struct GlyphSettings : GlyphScaling
   rtg::ArrowForm Arrow;                         // its unit length is computed
   double ArrowReference =
     0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: ScalePercentile's
-  double ScalePercentile = 0.0; // 95th percentile of the scales of all ranks' glyphs (GlyphScalePercentile)
+  double ScalePercentile = 0.0;                  // 95th percentile of the scales of all ranks' glyphs
   std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
   int TableSize = 1;                             // of a table of meshes, of which Mesh is
   int TableEntry = 0;                            // that number: only points that choose it show it

@@ -48,8 +48,7 @@ Range RangeOfPolynomials(vtkDataArray* array, const rtglyphs::GlyphForms::Settin
 }
 
 //----------------------------------------------------------------------------
-std::array<double, 2>
-rtglyphs::GlyphTensorRange::Get(vtkPolyData* points, const rtglyphs::GlyphSettings& settings, bool collective)
+std::array<double, 2> rtglyphs::GlyphTensorRange::Get(vtkPolyData* points, const rtglyphs::GlyphSettings& settings)
 {
   const rtglyphs::GlyphTensors::Settings& tensors = settings.Tensors;
   const rtglyphs::GlyphForms::Settings& forms = settings.Forms;
@@ -67,10 +66,7 @@ rtglyphs::GlyphTensorRange::Get(vtkPolyData* points, const rtglyphs::GlyphSettin
                         : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
     });
   std::vector<double> all(this->Own.begin(), this->Own.end());
-  if (collective)
-  {
-    rtglyphs::RayTracedRanks::Reduce(all, vtkCommunicator::MIN_OP);
-  }
+  rtglyphs::RayTracedRanks::Reduce(all, vtkCommunicator::MIN_OP);
   return all[0] <= -all[1] ? std::array<double, 2>{ all[0], -all[1] } : std::array<double, 2>{ 1.0, -1.0 };
 }
 

@@ -21,11 +21,10 @@ class GlyphTensorRange
 {
 public:
   /**
-   * An empty interval (1, -1) where there is no number. Radii of polynomials begin at 0. Collective: all ranks call it
-   * at once; else it is that of this rank. What this rank's array gives is kept while it and the settings are the same.
-   * `points` may be null.
+   * An empty interval (1, -1) where there is no number. Radii of polynomials begin at 0. All ranks call it at once.
+   * What this rank's array gives is kept while it and the settings are the same. `points` may be null.
    */
-  std::array<double, 2> Get(vtkPolyData* points, const GlyphSettings& settings, bool collective);
+  std::array<double, 2> Get(vtkPolyData* points, const GlyphSettings& settings);
 
   /**
    * The fraction of the tensors, if glyphs show any, that have a negative eigenvalue, over all ranks.

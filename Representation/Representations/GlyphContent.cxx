@@ -149,7 +149,7 @@ void rtglyphs::GlyphContent::UpdateTensorRange(vtkPolyData* points)
   const rtglyphs::GlyphSettings settings = this->MakeSettings();
   if (settings.HasNumberRange())
   {
-    const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
+    const std::array<double, 2> range = this->NumberRange.Get(points, settings);
     std::copy(range.begin(), range.end(), &this->Common.Summary[LEAST_OF_TENSORS]);
   }
   this->Common.Summary[NEGATIVE_TENSORS] = this->NumberRange.NegativeFraction(points, settings);
@@ -175,6 +175,34 @@ void rtglyphs::GlyphContent::UpdateScaleGuess(vtkPolyData* points, double time)
 }
 
 //----------------------------------------------------------------------------
+// The scale of the arrow whose fixed head has the proportions of the unit arrow: where the settings name no magnitude
+// the 95th percentile of all glyphs, so that hardly an arrow has a head that is too large for it. 0: there is none.
+double rtglyphs::GlyphContent::ScalePercentile(vtkPolyData* points, const rtglyphs::GlyphSettings& settings)
+{
+  if (!settings.NeedsScalePercentile())
+  {
+    this->KnownScales.Forget();
+    return 0.0;
+  }
+  const rtglyphs::GlyphScaling scaling = settings.OfMagnitudes();
+  const rtglyphs::RayTracedRanges& hidden = this->Common.Blocks.GetHidden();
+  rtglyphs::GlyphArrays::Key key = rtglyphs::GlyphArrays::KeyOf(points, { scaling }, hidden);
+  double percentile = this->Common.Summary[rtglyphs::DataSummary::SCALE_PERCENTILE];
+  if (rtglyphs::RayTracedRanks::Largest(this->KnownScales.Holds(key) ? 0.0 : 1.0) > 0.0)
+  {
+    this->KnownScales.Forget();
+    this->KnownScales.Update(std::move(key),
+      [&]
+      {
+        using namespace rtglyphs::GlyphSample;
+        const std::vector<double> scales = Points(points, scaling, hidden).KeepPositive(ArrowScales(points, scaling));
+        percentile = scales.empty() ? 1.0 : Quantile(scales, typicalQuantile);
+      });
+  }
+  return percentile;
+}
+
+//----------------------------------------------------------------------------
 // On all ranks that have data; when their glyphs have been chosen.
 void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
 {
@@ -190,7 +218,8 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
   rtglyphs::GlyphSettings settings = this->MakeSettings();
-  const double scalePercentile = this->ScalePercentile.Get(points, settings, this->Common.Blocks.GetHidden());
+  Values& summary = this->Common.Summary;
+  summary[SCALE_PERCENTILE] = this->ScalePercentile(points, settings);
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
@@ -203,8 +232,6 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
       });
     largest = rtglyphs::RayTracedRanks::Largest(largest);
   }
-  Values& summary = this->Common.Summary;
-  summary[SCALE_PERCENTILE] = scalePercentile;
   summary[MESH_WIDTH] = sides.x;
   summary[MESH_HEIGHT] = sides.y;
   summary[LARGEST_MAGNITUDE] = largest;
@@ -280,7 +307,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->Common.Parts.Mapper.Get());
   if (glyphs.HasNumberRange() && glyphs.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
   {
-    main->SetTensorRange(this->ShownRange.Get(frame.Points, glyphs, frame.Collective));
+    main->SetTensorRange(this->GetTensorRange());
   }
   main->SetSettings(glyphs, this->Meshes.GetMesh(0));
   main->SetTensorTable(this->TensorTable);
@@ -331,8 +358,7 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
   layer.Follow(this->Common.Reduced, this->Common.Parts.Actor, this->Common.SelectionColor);
   layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));
   layer.Mapper->SetTensorTable(this->TensorTable);
-  const double* range = &this->Common.Summary[rtglyphs::DataSummary::LEAST_OF_TENSORS];
-  layer.Mapper->SetTensorRange({ range[0], range[1] });
+  layer.Mapper->SetTensorRange(this->GetTensorRange());
 }
 
 //----------------------------------------------------------------------------

@@ -7,10 +7,10 @@
 #ifndef GlyphContent_h
 #define GlyphContent_h
 
-#include "GlyphScalePercentile.h"
 #include "GlyphLayers.h"
 #include "GlyphMeshes.h"
 #include "GlyphReduction.h"
+#include "GlyphKeptGuess.h"
 #include "GlyphSettings.h"
 #include "GlyphShapes.h"
 #include "GlyphTensorRange.h"
@@ -98,6 +98,12 @@ public:
 private:
   GlyphSettings MakeSettings() const;
   std::vector<GlyphSettings> MakeLayers(vtkPolyData* points) const;
+  double ScalePercentile(vtkPolyData* points, const GlyphSettings& settings);
+  std::array<double, 2> GetTensorRange() const
+  {
+    const double* range = &this->Common.Summary[DataSummary::LEAST_OF_TENSORS];
+    return { range[0], range[1] };
+  }
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points, double time);
   void UpdateDataSizes(vtkPolyData* points);
@@ -107,9 +113,8 @@ private:
   vtkNew<vtkGlyphLegend> Legend;
   bool ScaleFactorFromData = false;
   GlyphKeptGuess Guess;
-  GlyphScalePercentile ScalePercentile;
-  GlyphTensorRange NumberRange; // of the data
-  GlyphTensorRange ShownRange;  // of what is delivered to be rendered
+  RayTracedCache<GlyphArrays::Key> KnownScales; // of ScalePercentile()
+  GlyphTensorRange NumberRange;
   GlyphMeshes Meshes;
   GlyphLayers Layers; // of MakeLayers() all but the first
   GlyphReduction Reduction;

@@ -5,7 +5,7 @@
 #include "GlyphJoinedArrays.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
-#include "RayTracedDefault.h"
+#include "RayTracedChoices.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkSMInputArrayDomain.h"
@@ -29,15 +29,10 @@ namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
 using Shapes = rtglyphs::GlyphShapes;
+using List = vtkSMRayTracedArrayListDomain;
 using rtglyphs::GlyphJoinedArrays::vanDerWaals;
 
 constexpr double fewNegative = 0.1; // fraction of the tensors, as noise makes it
-
-std::string ValueOf(vtkSMProxy* proxy, const char* name)
-{
-  const char* value = vtkSMPropertyHelper(proxy, name).GetAsString();
-  return value && strcmp(value, "None") != 0 ? value : "";
-}
 
 // The last two of five strings are association and name.
 std::string ColorArrayOf(vtkSMProxy* proxy, unsigned int string = 4)
@@ -46,17 +41,12 @@ std::string ColorArrayOf(vtkSMProxy* proxy, unsigned int string = 4)
   return value ? value : "";
 }
 
-vtkSMRayTracedArrayListDomain* ScaleArrays(vtkSMProxy* glyphs)
-{
-  return glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();
-}
-
 // Shapes whose surfaces GlyphTensorColoring colors; empty: none, or no array.
 std::string TensorsOf(vtkSMProxy* glyphs, int shape)
 {
   return !Shapes::IsColored(shape)
     ? std::string()
-    : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
+    : List::Named(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
 }
 
 // NONE: directions do.
@@ -89,11 +79,9 @@ void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
 // By an array of the data.
 bool AreOriented(vtkSMProxy* glyphs)
 {
-  const std::string direction = ValueOf(glyphs, "SelectOrientationVectors");
-  const std::vector<Array> arrays =
-    glyphs->GetProperty("SelectOrientationVectors")->FindDomain<vtkSMRayTracedArrayListDomain>()->Listed();
+  auto* list = List::Of(glyphs, "SelectOrientationVectors");
   return vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() &&
-    std::any_of(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction; });
+    list->Find(List::Named(glyphs, "SelectOrientationVectors"));
 }
 
 // Vectors without a magnitude to show.
@@ -108,51 +96,31 @@ bool AreColors(const Array& array)
   return array.IsColor && array.IsWhole && array.Components > 2;
 }
 
-// Whether an array, if there is one, has a range of colors, unlike a load that is still zero.
-bool HasRange(vtkSMProxy* glyphs, const std::string& name)
-{
-  const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
-  return std::none_of(arrays.begin(), arrays.end(),
-    [&](const Array& array) { return array.Name == name && array.IsKnown() && array.Least == array.Largest; });
-}
-
-// The glyphs' direction, else the size, else colors, else the array with the best score. Empty: none, or the direction
-// is several arrays, or has unit length.
+// The glyphs' direction, else the size, else colors, else the array with the best score; none of joined arrays, which
+// ColorArrayName does not take. Empty: none, or the direction is several arrays, or has unit length.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
-  vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
-  std::vector<Array> arrays = domain->Listed();
-  const auto isJoined = [](const Array& array) { return !array.Columns.empty(); }; // which ColorArrayName does not take
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isJoined), arrays.end());
-  const auto isListed = [&arrays](const std::string& name, bool varies)
-  {
-    return std::any_of(arrays.begin(), arrays.end(),
-      [&](const Array& array)
-      {
-        return array.Name == name && array.Components <= 3 &&
-          !(varies && array.IsKnown() && array.Least == array.Largest);
-      });
-  };
-  vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
-  const bool arrows = shape == 0 && source &&
-    (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
+  List* list = List::Of(glyphs, "SelectScaleArray");
+  const auto has = [](const Array& array) { return array && array.Columns.empty() && array.Components <= 3; };
   const bool directed = shape == Shapes::SPLIT_VECTOR || Shapes::IsUncertain(shape) ||
-    (arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
-  const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
-  std::string size =
-    vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
-  size = size.starts_with(vanDerWaals) ? size.substr(vanDerWaals.size()) : size; // elements, which have colors
-  const bool unit = std::any_of(
-    arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == direction && IsUnit(array); });
-  if (unit || (direction.find(", ") != std::string::npos && !isListed(direction, false)))
+    (List::AreArrows(glyphs) && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
+  const std::string direction = directed ? List::Named(glyphs, "SelectOrientationVectors") : "";
+  const Array vector = list->Find(direction);
+  if (IsUnit(vector) || (!has(vector) && direction.find(", ") != std::string::npos))
   {
     return {};
   }
+  std::string sizes =
+    vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? List::Named(glyphs, "SelectScaleArray") : "";
+  const Array size = list->Find(
+    sizes.starts_with(vanDerWaals) ? sizes.substr(vanDerWaals.size()) : sizes); // elements, which have colors
+  std::vector<Array> arrays = list->Listed();
+  std::erase_if(arrays, [](const Array& array) { return !array.Columns.empty(); });
   const auto colors = std::find_if(arrays.begin(), arrays.end(), AreColors);
-  return isListed(direction, false) ? direction
-    : isListed(size, true)          ? size
-    : colors != arrays.end()        ? colors->Name
-                                    : domain->ChooseFor(LENGTH, arrays).Name;
+  return has(vector)                  ? vector.Name
+    : has(size) && !size.IsConstant() ? size.Name
+    : colors != arrays.end()          ? colors->Name
+                                      : list->ChooseFor(LENGTH, arrays).Name;
 }
 }
 
@@ -160,54 +128,31 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
-  this->Begun = true;
   const std::string setting =
     std::string(".") + display->GetXMLGroup() + "." + display->GetXMLName() + ".ColorArrayName";
-  const std::string found = ColorArrayOf(display);
-  std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name != found; }),
-    arrays.end());
-  const bool isQuantity = !arrays.empty() && !IsUnit(arrays.front()) &&
-    (arrays.front().IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, arrays));
-  if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
-  {
-    this->Wanted = true;
-  }
+  const Array found = List::Of(glyphs, "SelectScaleArray")->Find(ColorArrayOf(display));
+  const bool isQuantity =
+    found && !IsUnit(found) && (found.IsColor || List::Of(glyphs, "SelectScaleArray")->ChooseFor(SIZE, { found }));
+  this->Begun = true;
+  this->Wanted |= !isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str());
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedColoring::Enter(vtkSMProxy* glyphs)
+bool rtglyphs::RayTracedColoring::HasSameArray(vtkSMProxy* glyphs)
 {
-  this->Chosen = ColorArrayOf(glyphs, 3) + ColorArrayOf(glyphs);
-}
-
-//----------------------------------------------------------------------------
-bool rtglyphs::RayTracedColoring::Follow(vtkSMProxy* glyphs, const std::string& name)
-{
-  if (name != "ColorArrayName" && name != "GlyphTensorColoring" && name != "GlyphDirectionColoring")
-  {
-    return false;
-  }
-  const std::string before = this->Chosen;
-  this->Enter(glyphs);
-  const bool chosen = !this->Choosing && (name != "ColorArrayName" || this->Chosen != before);
-  if (chosen)
-  {
-    this->Wanted = false;
-    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(0);
-    this->TakeBack(glyphs, name);
-  }
-  return chosen;
+  const std::string array = ColorArrayOf(glyphs, 3) + ColorArrayOf(glyphs);
+  return std::exchange(this->ColoredBy, array) == array;
 }
 
 //----------------------------------------------------------------------------
 // Directions and arrays do not color the same glyphs.
 void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string& chosen)
 {
+  this->Wanted &= chosen != "ColorArrayName" && chosen != "GlyphTensorColoring" && chosen != "GlyphDirectionColoring";
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   const bool array = !ColorArrayOf(display).empty();
   const bool directions = vtkSMPropertyHelper(display, "GlyphDirectionColoring").GetAsInt() != 0;
-  this->Choosing = true;
+  const RayTracedChoices::Scope scope;
   if (array && directions && chosen == "GlyphDirectionColoring")
   {
     vtkSMPropertyHelper(display, "ColorArrayName").SetInputArrayToProcess(vtkDataObject::POINT, "");
@@ -217,61 +162,53 @@ void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string
   {
     vtkSMPropertyHelper(display, "GlyphDirectionColoring").Set(rtglyphs::DirectionColors::NONE);
   }
-  this->Choosing = false;
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedColoring::FollowBytes(vtkSMProxy* glyphs, bool window)
+// Scripts of 3D Glyphs, which say nothing of colors, have the same picture with ray-traced glyphs.
+void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
-  const std::string shown = ColorArrayOf(display);
-  const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
-  const bool bytes = std::any_of(
-    arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name == shown && AreColors(array); });
+  const bool window = rtglyphs::RayTracedChoices::IsInWindow(display);
+  if (window && std::exchange(this->Wanted, false))
+  {
+    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
+  }
+  const bool chosen = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() && this->Choose(glyphs);
+  const bool bytes = AreColors(List::Of(glyphs, "SelectScaleArray")->Find(ColorArrayOf(display)));
   if (window && this->Begun && std::exchange(this->Bytes, bytes) != bytes)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     vtkSMPropertyHelper(display, "MapScalars").Set(bytes ? 0 : 1);
     display->UpdateVTKObjects();
   }
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
-{
-  vtkSMProxy* display = glyphs->GetTrueParentProxy();
-  auto* colored = vtkSMPVRepresentationProxy::SafeDownCast(display);
-  // Scripts of 3D Glyphs, which say nothing of colors, have the same picture with ray-traced glyphs.
-  const bool window = rtglyphs::RayTracedDefault::IsInWindow(display);
-  if (this->Wanted && window)
-  {
-    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
-    this->Wanted = false;
-  }
-  this->FollowBytes(glyphs, window);
-  if (window && std::exchange(this->Replaced, false))
+  if (window && (std::exchange(this->Replaced, false) || chosen) && !this->Bytes) // a bar would show what no table maps
   {
     UpdateBars(glyphs, view);
   }
-  if (!colored || !vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt())
-  {
-    return;
-  }
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedColoring::Choose(vtkSMProxy* glyphs)
+{
+  auto* display = vtkSMPVRepresentationProxy::SafeDownCast(glyphs->GetTrueParentProxy());
   const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
   const std::string tensors = TensorsOf(glyphs, shape);
   const int coloring = tensors.empty() ? rtglyphs::GlyphTensors::NONE : TensorColoring(glyphs, shape);
-  const std::string array = tensors.empty() ? ArrayToColorBy(glyphs, shape) : std::string();
+  const std::string name = tensors.empty() ? ArrayToColorBy(glyphs, shape) : std::string();
+  const Array array = List::Of(glyphs, "SelectScaleArray")->Find(name);
   const bool directions =
-    tensors.empty() ? array.empty() && AreOriented(glyphs) : coloring == rtglyphs::GlyphTensors::NONE;
-  const std::string shown = !tensors.empty() ? tensors + ' ' + std::to_string(coloring) : directions ? " " : array;
-  const bool ranged = HasRange(glyphs, array), again = shown == this->Shown;
-  if (shown.empty() || (again && (this->Ranged || !ranged)))
+    tensors.empty() ? name.empty() && AreOriented(glyphs) : coloring == rtglyphs::GlyphTensors::NONE;
+  const std::string shown = !tensors.empty() ? tensors + ' ' + std::to_string(coloring) : directions ? " " : name;
+  const bool ranged = !array.IsConstant(); // unlike a load that is still zero
+  const bool again = shown == this->Shown;
+  if (!display || shown.empty() || (again && (this->Ranged || !ranged)))
   {
-    return; // a time step that has nothing to color by changes nothing
+    return false; // a time step that has nothing to color by changes nothing
   }
   this->Shown = shown;
   this->Ranged = ranged;
-  this->Choosing = true;
+  const RayTracedChoices::Scope scope;
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
@@ -279,26 +216,24 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
       .Set(directions ? rtglyphs::DirectionColors::AXES : rtglyphs::DirectionColors::NONE);
     display->UpdateVTKObjects();
   }
-  if (array.empty() && !ColorArrayOf(display).empty())
+  if (name.empty() && !ColorArrayOf(display).empty())
   {
-    colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no scalar bar of an invisible array
+    display->SetScalarColoring(nullptr, vtkDataObject::POINT); // no scalar bar of an invisible array
   }
-  if (!array.empty() && (again || ColorArrayOf(display) != array)) // as in a state that is loaded, with its own table
+  if (!name.empty() && (again || ColorArrayOf(display) != name)) // as in a state that is loaded, with its own table
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
     const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;
     const int association = cells ? vtkDataObject::CELL : vtkDataObject::POINT;
     SM_SCOPED_TRACE(SetScalarColoring)
       .arg("display", display)
-      .arg("arrayname", array.c_str())
+      .arg("arrayname", name.c_str())
       .arg("attribute_type", association);
-    colored->SetScalarColoring(array.c_str(), association);
-    colored->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
-    const std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
+    display->SetScalarColoring(name.c_str(), association);
+    display->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
     vtkSMProxy* table = vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
-    if (table && !vtkSMPropertyHelper(table, "UseLogScale").GetAsInt() && // else another display has mapped its points
-      std::any_of(
-        arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == array && IsOverDecades(one); }))
+    if (table && IsOverDecades(array) &&
+      !vtkSMPropertyHelper(table, "UseLogScale").GetAsInt()) // else another display has mapped its points
     {
       SM_SCOPED_TRACE(PropertiesModified).arg("proxy", table);
       vtkSMTransferFunctionProxy::MapControlPointsToLogSpace(table);
@@ -307,10 +242,5 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
     }
   }
   display->UpdateVTKObjects();
-  this->Choosing = false;
-  this->FollowBytes(glyphs, window);
-  if (window && !this->Bytes) // a bar would show what no table maps
-  {
-    UpdateBars(glyphs, view);
-  }
+  return true;
 }

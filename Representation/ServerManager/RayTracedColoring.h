@@ -17,20 +17,20 @@ class RayTracedColoring
 {
 public:
   /**
-   * The display has entered a view: what it is colored by now ParaView has chosen.
-   */
-  void Enter(vtkSMProxy* glyphs);
-
-  /**
    * The display is shown as ray-traced glyphs for the first time.
    */
   void Begin(vtkSMProxy* glyphs);
 
   /**
-   * A property of the glyphs was set. Whether that chooses a color; of directions and an array the one chosen before is
-   * taken back. Of its five strings ColorArrayName gets others by paraview.simple alone, whenever an input is set.
+   * Whether ColorArrayName, which was set, names the array as before: paraview.simple sets others of its five strings
+   * whenever an input is set.
    */
-  bool Follow(vtkSMProxy* glyphs, const std::string& name);
+  bool HasSameArray(vtkSMProxy* glyphs);
+
+  /**
+   * The user has set a property of the glyphs: of directions and an array the one chosen before is taken back.
+   */
+  void TakeBack(vtkSMProxy* glyphs, const std::string& chosen);
 
   /**
    * After an update of the view, before its render.
@@ -38,13 +38,11 @@ public:
   void Update(vtkSMProxy* glyphs, vtkSMProxy* view);
 
 private:
-  void TakeBack(vtkSMProxy* glyphs, const std::string& chosen);
-  void FollowBytes(vtkSMProxy* glyphs, bool window);
+  bool Choose(vtkSMProxy* glyphs); // whether that is another color
 
   bool Wanted = false;   // ColorFromData, in a window
-  bool Choosing = false; // by this class
   bool Replaced = false; // an array, whose scalar bar may be of no use
-  std::string Chosen;    // association and name of ColorArrayName
+  std::string ColoredBy; // association and name of ColorArrayName
   std::string Shown;     // by the glyphs, when the color was chosen
   bool Ranged = true;    // that had a range then
   bool Begun = false;    // by Begin()

@@ -3,16 +3,23 @@
 #include "DataSummary.h"
 #include "Finite.h"
 #include "GlyphArrayRoles.h"
+#include "RayTracedChoices.h"
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMBoundsDomain.h"
+#include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMEnumerationDomain.h"
 #include "vtkSMInputArrayDomain.h"
+#include "vtkSMIntVectorProperty.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +28,15 @@
 
 namespace
 {
+// What an input property is connected to; null: nothing yet.
+vtkPVDataInformation* DataOf(vtkSMProperty* property)
+{
+  const vtkSMPropertyHelper input(property, /*quiet=*/true);
+  auto* source =
+    property && input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+  return source && source->GetOutputPortsCreated() ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+
 // The arrays that glyphs of an input can use: of its points, or of its cells, by GlyphLocation. In XML it is written as
 // an InputArrayDomain of point arrays.
 class ArrayDomain final : public vtkSMInputArrayDomain
@@ -33,21 +49,11 @@ public:
     {
       return vtkSMInputArrayDomain::CELL;
     }
-    vtkSMPropertyHelper input(this->GetProperty(), /*quiet=*/true);
-    auto* source = this->GetProperty() && input.GetNumberOfElements() > 0
-      ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy(0))
-      : nullptr;
-    if (source && source->GetOutputPortsCreated())
-    {
-      vtkPVDataInformation* data = source->GetDataInformation(input.GetOutputPort(0));
-      const bool grid = data->GetDataSetType() == VTK_HYPER_TREE_GRID ||
-        (data->IsCompositeDataSet() && data->HasDataSetType(VTK_HYPER_TREE_GRID));
-      if (grid)
-      {
-        return vtkSMInputArrayDomain::CELL;
-      }
-    }
-    return vtkSMInputArrayDomain::GetAttributeType();
+    vtkPVDataInformation* data = DataOf(this->GetProperty());
+    const bool grid = data &&
+      (data->GetDataSetType() == VTK_HYPER_TREE_GRID ||
+        (data->IsCompositeDataSet() && data->HasDataSetType(VTK_HYPER_TREE_GRID)));
+    return grid ? static_cast<int>(vtkSMInputArrayDomain::CELL) : vtkSMInputArrayDomain::GetAttributeType();
   }
 };
 
@@ -57,21 +63,17 @@ class LocationDomain final : public vtkSMEnumerationDomain
 public:
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
   {
-    const vtkSMPropertyHelper input(this->GetProperty()->GetParent(), "Input");
-    auto* source = input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
-    vtkPVDataInformation* data =
-      source && source->GetOutputPortsCreated() ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
-    const int shape = vtkSMPropertyHelper(this->GetProperty()->GetParent(), "GlyphShape").GetAsInt();
-    const std::optional<bool> atCells =
-      data ? vtkSMRayTracedArrayListDomain::AreAtCells(data, shape) : std::optional<bool>();
-    if (!atCells)
+    vtkSMProxy* glyphs = this->GetProperty()->GetParent();
+    vtkPVDataInformation* data = DataOf(glyphs->GetProperty("Input"));
+    const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
+    const auto atCells = data ? vtkSMRayTracedArrayListDomain::AreAtCells(data, shape) : std::optional<bool>();
+    if (atCells)
     {
-      return 0;
+      vtkSMPropertyHelper helper(property);
+      helper.SetUseUnchecked(useUncheckedValues);
+      helper.Set(*atCells ? 1 : 0);
     }
-    vtkSMPropertyHelper helper(property);
-    helper.SetUseUnchecked(useUncheckedValues);
-    helper.Set(*atCells ? 1 : 0);
-    return 1;
+    return atCells.has_value();
   }
 };
 
@@ -96,14 +98,8 @@ public:
     {
       return 0;
     }
-    if (vtkSMPropertyHelper(fromData).GetAsInt() == 1)
-    {
-      fromData->Modified(); // so that the value is computed again
-    }
-    else
-    {
-      vtkSMPropertyHelper(fromData).Set(1);
-    }
+    vtkSMPropertyHelper(fromData).Set(1);
+    fromData->Modified(); // so that the value is computed again
     if (useUncheckedValues && property->GetParent())
     {
       property->GetParent()->UpdateVTKObjects(); // the panel only takes over what it finds unchecked
@@ -190,13 +186,87 @@ private:
 
   double Suggested = 0.0; // 0: nothing
 };
+
+// A property whose default may be what was chosen from the data. Base: vtkSMStringVectorProperty, ... State files do
+// not have defaults of displays that show nothing ray traced.
+template <class Base>
+class Property final : public Base
+{
+public:
+  bool IsValueDefault() override { return Base::IsValueDefault() || rtglyphs::RayTracedChoices::IsDefault(this); }
+
+  bool ResetToDomainDefaults(bool useUncheckedValues) override
+  {
+    const rtglyphs::RayTracedChoices::Scope scope;
+    bool found = Base::ResetToDomainDefaults(useUncheckedValues);
+    if (useUncheckedValues)
+    {
+      return found;
+    }
+    if (found)
+    {
+      this->Found = nullptr;
+      if (!Base::IsValueDefault())
+      {
+        this->Found.TakeReference(this->NewInstance());
+        this->Found->Copy(this);
+      }
+    }
+    else if (this->Found) // ParaView resets the input first
+    {
+      this->Copy(this->Found);
+      found = true;
+    }
+    rtglyphs::RayTracedChoices::Reset(this, found);
+    return found;
+  }
+
+  void ResetToXMLDefaults() override
+  {
+    const rtglyphs::RayTracedChoices::Scope scope;
+    Base::ResetToXMLDefaults();
+    rtglyphs::RayTracedChoices::Reset(this, false);
+  }
+
+  void SaveState(vtkPVXMLElement* parent, const char* name, const char* uid, int saveDomains) override
+  {
+    if (rtglyphs::RayTracedChoices::ShowsRayTraced(this) || !(this->GetInformationOnly() || this->IsValueDefault()))
+    {
+      Base::SaveState(parent, name, uid, saveDomains);
+    }
+  }
+
+private:
+  vtkSmartPointer<vtkSMProperty> Found; // value that its domains found last; null: the XML's default
+};
+
+// Makes a class known to the server manager by that name.
+template <class T>
+void RegisterClass(const char* name)
+{
+  vtkClientServerInterpreterInitializer::GetGlobalInterpreter()->AddNewInstanceFunction(name,
+    [](void*) -> vtkObjectBase*
+    {
+      auto* made = new T;
+      made->InitializeObjectBase();
+      return made;
+    });
+}
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedDomains::Register()
 {
-  Register<ArrayDomain>("vtkSMRayTracedArrayDomain");
-  Register<LocationDomain>("vtkSMRayTracedLocationDomain");
-  Register<RadiusDomain>("vtkSMRayTracedRadiusDomain");
-  Register<ScaleDomain>("vtkSMRayTracedScaleDomain");
+  static const bool known = []
+  {
+    RegisterClass<Property<vtkSMStringVectorProperty>>("vtkSMRayTracedStringVectorProperty");
+    RegisterClass<Property<vtkSMDoubleVectorProperty>>("vtkSMRayTracedDoubleVectorProperty");
+    RegisterClass<Property<vtkSMIntVectorProperty>>("vtkSMRayTracedIntVectorProperty");
+    RegisterClass<ArrayDomain>("vtkSMRayTracedArrayDomain");
+    RegisterClass<LocationDomain>("vtkSMRayTracedLocationDomain");
+    RegisterClass<RadiusDomain>("vtkSMRayTracedRadiusDomain");
+    RegisterClass<ScaleDomain>("vtkSMRayTracedScaleDomain");
+    return true;
+  }();
+  static_cast<void>(known);
 }

@@ -3,17 +3,15 @@
 #include "DataSummary.h"
 #include "GlyphShapes.h"
 #include "GlyphTensors.h"
-#include "RayTracedDefault.h"
-#include "RayTracedGlyphDefaults.h"
+#include "RayTracedChoices.h"
 #include "vtkNew.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
-
-#include <cstring>
 
 namespace
 {
@@ -28,26 +26,17 @@ std::string NumberOf(vtkSMProxy* glyphs)
   const bool number = Shapes::IsPolynomial(shape)
     ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
     : Shapes::IsColored(shape) && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
-  const char* array =
-    vtkSMPropertyHelper(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray")
-      .GetAsString();
+  const std::string array = vtkSMRayTracedArrayListDomain::Named(
+    glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
   const bool shown = local && local->GetVisibility() &&
-    rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && array &&
-    array[0] && strcmp(array, "None") != 0;
-  return shown ? std::string(array) + " " + coloring.GetAsString() : std::string();
+    rtglyphs::RayTracedChoices::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && !array.empty();
+  return shown ? array + " " + coloring.GetAsString() : std::string();
 }
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedTensorTable::Follow(const std::string& name)
-{
-  const bool number = name == "GlyphTensorColoring" || name == "GlyphTensorArray" || name == "GlyphHarmonicsArray";
-  this->IsChosen = name == "GlyphTensorLookupTable" || (this->IsChosen && !number);
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
+void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool isUsers)
 {
   const std::string name = NumberOf(glyphs);
   vtkNew<vtkSMTransferFunctionManager> tables;
@@ -76,8 +65,8 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
   // The range stays where the user has locked it, and where the table came with one, as in a state.
   const bool locked =
     vtkSMPropertyHelper(table, "AutomaticRescaleRangeMode").GetAsInt() == vtkSMTransferFunctionManager::NEVER;
-  const bool stays = vtkSMPropertyHelper(table, "ScalarRangeInitialized").GetAsInt() &&
-    (locked || (fresh && this->IsChosen && set == table));
+  const bool stays =
+    vtkSMPropertyHelper(table, "ScalarRangeInitialized").GetAsInt() && (locked || (fresh && isUsers && set == table));
   if (found[0] <= found[1] && (fresh || found[0] != this->Range[0] || found[1] != this->Range[1]))
   {
     if (!stays)
@@ -87,15 +76,15 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
     this->Range[0] = found[0];
     this->Range[1] = found[1];
   }
-  if (set != table && !(set && this->IsChosen))
+  if (set != table && !(set && isUsers))
   {
+    const RayTracedChoices::Scope scope;
     vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").Set(table);
     glyphs->UpdateVTKObjects();
-    this->IsChosen = false;
   }
   // Of what the data have chosen ParaView's window shows bars, scripts do it themselves.
   const bool shows = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() == 0 ||
-    rtglyphs::RayTracedDefault::IsInWindow(glyphs->GetTrueParentProxy());
+    rtglyphs::RayTracedChoices::IsInWindow(glyphs->GetTrueParentProxy());
   if (vtkSMProxy* bar = fresh && shows ? barOf(name) : nullptr)
   {
     vtkSMPropertyHelper(bar, "Title").Set(name.c_str());

@@ -16,19 +16,14 @@ class RayTracedTensorTable
 {
 public:
   /**
-   * A property of the glyphs has been set: another number gets its own table, until a table is chosen.
+   * Chooses the table of what the glyphs show, with the range of the data, unless it is the user's, and shows its bar
+   * in the view.
    */
-  void Follow(const std::string& name);
-
-  /**
-   * Chooses the table of what the glyphs show, with the range of the data, and shows its bar in the view.
-   */
-  void Update(vtkSMProxy* glyphs, vtkSMProxy* view);
+  void Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool isUsers);
 
 private:
   std::string Name; // of the table and scalar bar that are in use; empty: none
   double Range[2] = { 1.0, -1.0 };
-  bool IsChosen = false; // by the user
 };
 
 } // namespace rtglyphs

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <vector>
 
 vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
@@ -150,21 +151,27 @@ std::vector<Array> WithJoined(std::vector<Array> arrays, vtkPVDataInformation* d
   arrays.insert(arrays.end(), joined.begin(), joined.end());
   return arrays;
 }
-
-// Of a display whether its glyphs, arrows or cones, follow directions.
-bool AreArrows(vtkSMProxy* glyphs)
-{
-  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
-  const char* type = source ? source->GetXMLName() : "";
-  const bool pointed = strcmp(type, "ArrowSource") == 0 || strcmp(type, "ConeSource") == 0;
-  return pointed && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
 }
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedArrayListDomain* vtkSMRayTracedArrayListDomain::Of(vtkSMProxy* glyphs, const char* property)
+{
+  return glyphs->GetProperty(property)->FindDomain<vtkSMRayTracedArrayListDomain>();
+}
+
+//----------------------------------------------------------------------------
+std::string vtkSMRayTracedArrayListDomain::Named(vtkSMProxy* proxy, const char* property)
+{
+  const char* name = vtkSMPropertyHelper(proxy, property).GetAsString();
+  return name && strcmp(name, "None") != 0 ? name : "";
 }
 
 //----------------------------------------------------------------------------
 int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
-  this->ChoiceOfArray = element->GetAttributeOrEmpty("choice");
+  const std::map<std::string, Role> roles{ { "direction", DIRECTION }, { "velocity", VELOCITY }, { "tensor", TENSOR },
+    { "harmonics", HARMONICS }, { "exponents", EXPONENTS }, { "scale", SIZE } };
+  this->Chosen = roles.at(element->GetAttributeOrEmpty("choice"));
   return this->Superclass::ReadXMLAttributes(property, element);
 }
 
@@ -218,37 +225,38 @@ std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
 }
 
 //----------------------------------------------------------------------------
+Array vtkSMRayTracedArrayListDomain::Find(const std::string& name)
+{
+  const std::vector<Array> arrays = this->Listed();
+  const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const Array& one) { return one.Name == name; });
+  return found != arrays.end() ? *found : Array();
+}
+
+//----------------------------------------------------------------------------
 Choice vtkSMRayTracedArrayListDomain::Choose(const char* only)
 {
   std::vector<Array> arrays = this->Listed();
   std::erase_if(arrays, [only](const Array& array) { return only && array.Name != only; });
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  const bool arrows = AreArrows(glyphs);
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
   const bool body = IsBody(glyphs);
-  if (this->ChoiceOfArray == "direction" && shape != 0 && !body)
+  if (this->Chosen == DIRECTION && shape != 0 && !body)
   {
     // Tensors and polynomials, which have colors, are given in the data's frame.
     const bool given = rtglyphs::GlyphShapes::IsColored(shape);
     std::erase_if(arrays, [given](const Array& array) { return given || array.Components > 3; });
   }
-  const std::string& choice = this->ChoiceOfArray;
-  const Role role = choice == "direction" ? (body ? ROTATION : DIRECTION)
-    : choice == "velocity"                ? VELOCITY
-    : choice == "tensor"                  ? TENSOR
-    : choice == "harmonics"               ? HARMONICS
-    : choice == "exponents"               ? EXPONENTS
-    : arrows                              ? LENGTH
-                                          : SIZE;
-  const auto isAsLong = [&](const Array& array)
+  const Role role = this->Chosen == DIRECTION && body ? ROTATION
+    : this->Chosen == SIZE && AreArrows(glyphs)       ? LENGTH
+                                                      : this->Chosen;
+  // Lengths of other vectors than the directions would be a wrong figure.
+  const std::string direction = role == LENGTH ? Named(glyphs, "SelectOrientationVectors") : "";
+  for (const Array& array : arrays)
   {
-    // Lengths of other vectors than the directions would be a wrong figure.
-    const char* direction = vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
-    return array.Components <= 3 && direction && array.Name == direction;
-  };
-  if (role == LENGTH && std::any_of(arrays.begin(), arrays.end(), isAsLong))
-  {
-    return { vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString(), "the direction of the arrows", 3 };
+    if (array.Components <= 3 && array.Name == direction)
+    {
+      return { array, "the direction of the arrows" };
+    }
   }
   return this->ChooseFor(role, arrays);
 }
@@ -260,6 +268,15 @@ bool vtkSMRayTracedArrayListDomain::IsBody(vtkSMProxy* glyphs)
   using Shapes = rtglyphs::GlyphShapes;
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
   return shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedArrayListDomain::AreArrows(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
+  const char* type = source ? source->GetXMLName() : "";
+  const bool pointed = strcmp(type, "ArrowSource") == 0 || strcmp(type, "ConeSource") == 0;
+  return pointed && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
 }
 
 //----------------------------------------------------------------------------

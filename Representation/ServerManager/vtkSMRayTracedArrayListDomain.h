@@ -3,9 +3,8 @@
  * @brief   a list of arrays whose default is chosen by what the arrays are
  *
  * ParaView's own list takes the active attribute, and without one the first array. The attribute `choice` in the
- * XML says which role it has (GlyphArrayRoles): direction, velocity, tensor, harmonics,
- * exponents or scale. Bodies, all shapes but
- * arrows and cones, are turned by rotations first, and arrows are as long as their direction. Without any: None.
+ * XML says which role it has (GlyphArrayRoles): direction, velocity, tensor, harmonics, exponents or scale. Bodies are
+ * turned by rotations first, and arrows are as long as their direction. Without any: None.
  */
 #ifndef vtkSMRayTracedArrayListDomain_h
 #define vtkSMRayTracedArrayListDomain_h
@@ -31,6 +30,16 @@ public:
   static vtkSMRayTracedArrayListDomain* New();
   vtkTypeMacro(vtkSMRayTracedArrayListDomain, vtkSMArrayListDomain);
 
+  /**
+   * Of a property of glyphs.
+   */
+  static vtkSMRayTracedArrayListDomain* Of(vtkSMProxy* glyphs, const char* property);
+
+  /**
+   * The array that a property names; empty: none.
+   */
+  static std::string Named(vtkSMProxy* proxy, const char* property);
+
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
 
 #ifndef __VTK_WRAP__
@@ -41,6 +50,7 @@ public:
    * Information on the listed arrays.
    */
   std::vector<Array> Listed();
+  Array Find(const std::string& name); // without a name: it is not listed
 
   /**
    * The default, and why; of one array whether it can be that.
@@ -56,6 +66,11 @@ public:
    * Whether glyphs have a shape that rotations change.
    */
   static bool IsBody(vtkSMProxy* glyphs);
+
+  /**
+   * Whether glyphs are arrows or cones, which follow directions.
+   */
+  static bool AreArrows(vtkSMProxy* glyphs);
 
   /**
    * Whether glyphs of the data stand at cells: where only these have what GlyphShape shows. Empty: neither has.
@@ -77,9 +92,9 @@ protected:
 private:
 #ifndef __VTK_WRAP__
   std::vector<Array> InputArrays();
-#endif
 
-  std::string ChoiceOfArray; // the attribute `choice`
+  rtglyphs::GlyphArrayRoles::Role Chosen = rtglyphs::GlyphArrayRoles::SIZE; // by the attribute `choice`
+#endif
   vtkNew<vtkPVDataInformation> JoinedArrays;
 };
 

@@ -1,6 +1,6 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
-#include "RayTracedDefault.h"
+#include "RayTracedDomains.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkSMProperty.h"
@@ -51,7 +51,7 @@ bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std:
 //----------------------------------------------------------------------------
 vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
 {
-  rtglyphs::RayTracedDefault::Register(); // of the kinds of its properties
+  rtglyphs::RayTracedDomains::Register(); // of the kinds of its properties
 }
 
 //----------------------------------------------------------------------------

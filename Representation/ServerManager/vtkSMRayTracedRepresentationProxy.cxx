@@ -1,7 +1,7 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
-#include "RayTracedDefault.h"
-#include "RayTracedSuggestion.h"
+#include "RayTracedDomains.h"
+#include "RayTracedPanel.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
@@ -16,7 +16,7 @@
 #include "vtkSMTrace.h"
 
 #include <cstring>
-#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 
@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 {
   vtkRayTracedSelectionEncoder::Register();
-  rtglyphs::RayTracedDefault::Register();
+  rtglyphs::RayTracedDomains::Register();
 }
 
 //----------------------------------------------------------------------------
@@ -62,12 +62,7 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  const bool exposed = flag && display->GetProperty(name) == this->GetProperty(name);
-  if (exposed)
-  {
-    rtglyphs::RayTracedSuggestion::Follow(this, name);
-  }
+  const bool byUser = flag && this->Choices.Follow(this, name);
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && strcmp(name, "Input") == 0)
   {
@@ -83,9 +78,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   }
   if (flag)
   {
-    this->TensorTable.Follow(name);
-    rtglyphs::RayTracedDefault::Follow(this, name);
-    this->GlyphDefaults.Follow(this, name);
+    this->Choices.Followed(this, name, byUser);
   }
 }
 
@@ -147,16 +140,9 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
   {
     display->GetProperty("Representation")
       ->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMRayTracedRepresentationProxy::ChooseDefaults);
-    rtglyphs::RayTracedGlyphDefaults::ShowInPanel(display);
+    rtglyphs::RayTracedPanel::Show(display);
     this->ChooseDefaults();
   }
-}
-
-//----------------------------------------------------------------------------
-std::vector<std::string> vtkSMRayTracedRepresentationProxy::Explain(vtkSMProxy* display)
-{
-  auto* shown = vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display));
-  return shown ? shown->GlyphDefaults.Explain(display) : std::vector<std::string>();
 }
 
 //----------------------------------------------------------------------------
@@ -166,35 +152,19 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
   {
     this->AtomsAndBonds->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
   }
-  this->GlyphDefaults.Choose(this);
+  this->Choices.Choose(this);
 }
 
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
-  if (this->IsShown())
+  const bool shown = this->IsShown();
+  const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
+  if (shown && this->Choices.Renew(this, std::exchange(this->Time, time) != time))
   {
-    const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
-    vtkSMProxy* display = this->GetTrueParentProxy();
-    const bool glyphs = rtglyphs::RayTracedGlyphDefaults::ShowsGlyphs(display);
-    bool renewed = rtglyphs::RayTracedDefault::Renew(display, time != this->Time);
-    if (glyphs)
-    {
-      renewed |= this->GlyphDefaults.Renew(this, time != this->Time);
-    }
-    this->Time = time;
-    if (renewed)
-    {
-      display->UpdateVTKObjects();
-      vtkSMViewProxy::SafeDownCast(view)->Update();
-    }
-    rtglyphs::RayTracedSuggestion::Take(this);
-    this->GlyphDefaults.ChooseTubes(display);
-    if (glyphs)
-    {
-      this->GlyphDefaults.Color(this, view);
-    }
+    this->GetTrueParentProxy()->UpdateVTKObjects();
+    vtkSMViewProxy::SafeDownCast(view)->Update();
   }
-  this->TensorTable.Update(this, view);
+  this->Choices.Update(this, view, shown);
 }

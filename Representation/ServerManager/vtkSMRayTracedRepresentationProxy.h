@@ -2,8 +2,7 @@
  * @class   vtkSMRayTracedRepresentationProxy
  * @brief   the client's side of ray-traced glyphs, surfaces and tubes
  *
- * - Defaults and suggested numbers are kept up to date with the data (RayTracedDefault,
- *   RayTracedGlyphDefaults, RayTracedSuggestion).
+ * - What neither the user nor a script has chosen is kept up to date with the data (RayTracedChoices).
  * - Information properties speak of the processes that have the data, of what is shown.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
@@ -13,8 +12,7 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "RayTracedGlyphDefaults.h"
-#include "RayTracedTensorTable.h"
+#include "RayTracedChoices.h"
 #endif
 
 class vtkSMRayTracedViewProxy;
@@ -34,10 +32,10 @@ public:
   vtkSMRayTracedViewProxy* GetView();
 
 #ifndef __VTK_WRAP__
-  /**
-   * What is to be known of a display: RayTracedGlyphDefaults::Explain().
-   */
-  static std::vector<std::string> Explain(vtkSMProxy* display);
+  rtglyphs::RayTracedChoices& GetChoices()
+  {
+    return this->Choices;
+  }
 #endif
 
 protected:
@@ -58,8 +56,7 @@ private:
   vtkSmartPointer<vtkSMSourceProxy> AtomsAndBonds; // of a molecule, else null
   double Time = 0.0;                               // of the last update
 #ifndef __VTK_WRAP__
-  rtglyphs::RayTracedTensorTable TensorTable;
-  rtglyphs::RayTracedGlyphDefaults GlyphDefaults;
+  rtglyphs::RayTracedChoices Choices;
 #endif
 };
 

@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedViewProxy.h"
 
-#include "RayTracedDefault.h"
+#include "RayTracedDomains.h"
+#include "RayTracedExplanation.h"
 #include "vtkCallbackCommand.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -13,7 +14,6 @@
 #include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtk_nlohmannjson.h"
@@ -58,7 +58,7 @@ vtkRayTracedRepresentation* ShownBy(vtkSMProxy* display)
 //----------------------------------------------------------------------------
 vtkSMRayTracedViewProxy::vtkSMRayTracedViewProxy()
 {
-  rtglyphs::RayTracedDefault::Register();
+  rtglyphs::RayTracedDomains::Register();
 }
 
 //----------------------------------------------------------------------------
@@ -354,7 +354,7 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
       vtkRayTracedRepresentation* shown = ShownBy(display);
       auto own = all;
       own.update(ofRepresentations.value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object()));
-      std::vector<std::string> sentences = vtkSMRayTracedRepresentationProxy::Explain(display);
+      std::vector<std::string> sentences = rtglyphs::RayTracedExplanation::Explain(display);
       if (const std::string section = own.value("section", ""); !section.empty())
       {
         sentences.push_back(section);

@@ -1,0 +1,134 @@
+/**
+ * @class   RayTracedChoices
+ * @brief   who has chosen the value of each property of a display: nobody yet, the plugin from the data, or the user
+ *
+ * What neither the user, nor a script, nor a state has set is the plugin's: arrays, places and sizes come from the
+ * properties' domains, numbers from DataSummary, colors from RayTracedColoring. Values are chosen when the display is
+ * first shown as something ray traced, and anew when the data no longer have them, or have them for the first time.
+ *
+ * There is one for each display. A change of a property inside of a Scope is the plugin's, outside the user's.
+ */
+#ifndef RayTracedChoices_h
+#define RayTracedChoices_h
+
+#include "RayTracedColoring.h"
+#include "RayTracedTensorTable.h"
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+
+#include <map>
+#include <string>
+
+class vtkSMProperty;
+class vtkSMProxy;
+
+namespace rtglyphs
+{
+
+class RayTracedChoices
+{
+public:
+  ///@{
+  /**
+   * What is set meanwhile is set by the plugin, or by ParaView's defaults.
+   */
+  struct Scope
+  {
+    Scope();
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+  };
+  VTKRAYTRACEDGLYPHS_EXPORT static bool IsChoosing();
+  ///@}
+
+  bool IsUsers(const std::string& name) const { return this->Is(name, USER); }
+
+  ///@{
+  /**
+   * Whether a property of a ray-traced representation has a value of the plugin that counts as its default. Every
+   * display of a data set has these properties, in every representation, and ParaView would name them in the trace and
+   * the state of any display: scripts that do not run without this plugin. So, on displays that show nothing ray
+   * traced, do all values that the plugin has chosen; and, on all displays, numbers that follow the data.
+   */
+  static bool IsDefault(vtkSMProperty* property);
+
+  /**
+   * It has got the default that its domains have found, or else that of the XML.
+   */
+  static void Reset(vtkSMProperty* property, bool found);
+  ///@}
+
+  ///@{
+  /**
+   * A property of the representation is being set, before observers know, so that undoing both ends with the data's;
+   * whether the user has set it. And has been set: others depend on it.
+   */
+  bool Follow(vtkSMProxy* glyphs, const std::string& name);
+  void Followed(vtkSMProxy* glyphs, const std::string& name, bool byUser);
+  ///@}
+
+  /**
+   * The display has entered a view, or its representation was changed.
+   */
+  void Choose(vtkSMProxy* glyphs);
+
+  /**
+   * After an update of the view, before its render: what the data shown before had nothing for, these may have, as the
+   * first time step with particles has arrays. While time goes on a value that was found stays; other data may have
+   * others. Returns whether something was chosen anew.
+   */
+  bool Renew(vtkSMProxy* glyphs, bool otherTime);
+
+  /**
+   * The same, of what depends on the data's values. A display that is not visible has no scalar bar any more.
+   */
+  void Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool visible);
+
+  ///@{
+  /**
+   * Of a display: its ray-traced representation (null: none), whether it shows that as glyphs, or as anything ray
+   * traced, and whether it is one of ParaView's window; scripts set what they need.
+   */
+  VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
+  static bool ShowsGlyphs(vtkSMProxy* display);
+  static bool ShowsRayTraced(vtkSMProperty* property); // its display
+  static bool IsInWindow(vtkSMProxy* display);
+  ///@}
+
+private:
+  enum By
+  {
+    NOBODY,
+    PLUGIN,
+    USER
+  };
+  // Which of the values that are not the user's are chosen anew.
+  enum class Where
+  {
+    Everywhere,
+    Lost,   // arrays that are in no list of arrays any more, and what Missing names
+    Missing // None, and what stands in the XML, where the data had nothing to choose
+  };
+
+  static RayTracedChoices* Of(vtkSMProperty* property);
+  bool Is(const std::string& name, By by) const;
+  bool Renew(vtkSMProxy* glyphs, const std::string& name, Where where);
+  bool RenewAll(vtkSMProxy* glyphs, Where where);
+  bool RenewRadius(vtkSMProxy* glyphs);
+  void ChooseArrays(vtkSMProxy* glyphs);
+  void ChooseShape(vtkSMProxy* glyphs);
+  void ChooseScaleMode(vtkSMProxy* glyphs);
+  void ChooseTubes(vtkSMProxy* display);
+  static void TakeNumbers(vtkSMProxy* glyphs);
+
+  std::map<std::string, By> Chosen; // by name
+  RayTracedColoring Coloring;
+  RayTracedTensorTable TensorTable;
+  bool Shown = false;  // as ray-traced glyphs
+  bool InView = false; // else the display is being made
+  bool TubesShown = false, TubesWanted = false;
+};
+
+} // namespace rtglyphs
+
+#endif
