@@ -282,6 +282,8 @@ def buttons(window, view, reader, shown):
         failures.append("saved as default: a new display has %s, not %s" % (fresh, wanted))
     activate(later, "later")
     done("restored", lambda: window.click("DisplayButtons/DisplayRestoreDefaults"), pv.Show(later, view), first)
+    if shown.GetPropertyValue("SamplesPerRender") != -1:
+        failures.append("after the panel's buttons a render in the window takes %s samples" % shown.GetPropertyValue("SamplesPerRender"))
     return failures
 
 
