@@ -221,8 +221,13 @@ public:
     return found;
   }
 
+  // Panels reset what is internal, too, though a display that is reset stays in its window.
   void ResetToXMLDefaults() override
   {
+    if (this->GetIsInternal())
+    {
+      return;
+    }
     const rtglyphs::RayTracedChoices::Scope scope;
     Base::ResetToXMLDefaults();
     rtglyphs::RayTracedChoices::Reset(this, false);
