@@ -204,7 +204,7 @@ void Scene::State::FillRecords()
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    const std::size_t first = filled.size();
+    std::vector<device::GlyphSetRecord> runs;
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
@@ -259,11 +259,9 @@ void Scene::State::FillRecords()
       {
         this->FillSection(set, record);
       }
-      filled.push_back(record);
+      runs.push_back(record);
     }
     // The same at each place.
-    const std::vector<device::GlyphSetRecord> runs(filled.begin() + static_cast<std::ptrdiff_t>(first), filled.end());
-    filled.resize(first);
     for (const GlyphSet::Image& image : set.Images())
     {
       const Box bounds = this->BoundsOf(set, image);

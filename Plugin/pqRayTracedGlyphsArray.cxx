@@ -36,8 +36,7 @@ vtkSMStringListDomain* ArraysOf(vtkSMProxy* display, vtkSMProperty* property, bo
 // Whose vectors are what they show, whatever Orient is.
 bool IsVector(vtkSMProxy* display)
 {
-  const int shape = vtkSMPropertyHelper(display, "GlyphShape").GetAsInt();
-  return shape == rtglyphs::GlyphShapes::SPLIT_VECTOR || rtglyphs::GlyphShapes::IsUncertain(shape);
+  return rtglyphs::GlyphShapes::IsVector(vtkSMPropertyHelper(display, "GlyphShape").GetAsInt());
 }
 }
 

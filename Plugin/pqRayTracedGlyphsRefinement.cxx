@@ -53,17 +53,17 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
   this->AtRest.setInterval(quietTime);
   QObject::connect(&this->AtRest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rested);
   QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::pressed, this, [this]() { this->stop(nullptr); });
+  const auto look = [this]() { Q_EMIT this->looked(pqActiveObjects::instance().activeView()); };
+  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::listening, this, look);
   QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::rested, this,
-    [this]()
+    [this, look]()
     {
       if (pqProgressWidget* bar = this->Showing ? nullptr : this->Abort.progressBar())
       {
         bar->enableAbort(false);
       }
-      Q_EMIT this->looked(pqActiveObjects::instance().activeView());
+      look();
     });
-  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::listening, this,
-    [this]() { Q_EMIT this->looked(pqActiveObjects::instance().activeView()); });
   onlyOne = this;
 }
 

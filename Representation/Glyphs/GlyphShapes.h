@@ -52,6 +52,9 @@ struct GlyphShapes
   }
 
   static bool IsUncertain(int shape) { return shape == UNCERTAIN_VECTOR || shape == UNCERTAIN_DIRECTION; }
+
+  /// Whose length and direction are a vector's, whatever Orient and Scaling are.
+  static bool IsVector(int shape) { return shape == SPLIT_VECTOR || IsUncertain(shape); }
 };
 
 } // namespace rtglyphs

@@ -102,8 +102,8 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
   List* list = List::Of(glyphs, "SelectScaleArray");
   const auto has = [](const Array& array) { return array && array.Columns.empty() && array.Components <= 3; };
-  const bool directed = shape == Shapes::SPLIT_VECTOR || Shapes::IsUncertain(shape) ||
-    (List::AreArrows(glyphs) && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
+  const bool directed =
+    Shapes::IsVector(shape) || (List::AreArrows(glyphs) && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
   const std::string direction = directed ? List::Named(glyphs, "SelectOrientationVectors") : "";
   const Array vector = list->Find(direction);
   if (IsUnit(vector) || (!has(vector) && direction.find(", ") != std::string::npos))

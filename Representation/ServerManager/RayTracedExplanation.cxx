@@ -143,6 +143,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   const int shape = static_cast<int>(number("GlyphShape"));
   const bool tensors = Shapes::IsColored(shape) && shape != Shapes::SPHERICAL_HARMONICS;
   const bool formed = tensors || Shapes::IsUncertain(shape);
+  const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
   if (formed || shape == Shapes::SPHERICAL_HARMONICS)
   {
     explain("Shape", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");
@@ -171,8 +172,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   {
     sentences.emplace_back("UseGlyphTable has no effect: choose a GlyphTableIndexArray");
   }
-  if (tensors && vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt() == rtglyphs::GlyphTensors::RADIUS &&
-    !Shapes::IsPolynomial(shape))
+  if (tensors && coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS && !Shapes::IsPolynomial(shape))
   {
     sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for glyphs of direction");
   }
@@ -188,7 +188,6 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
     explain("Motion", "VelocityArray");
   }
   const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
-  const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
   const bool own = coloring.GetAsInt() != 0 && Shapes::IsColored(shape);
   const bool directions = number("GlyphDirectionColoring") != 0.0;
   const char* color = own ? coloring.GetAsString() : directions ? "direction" : array;
@@ -203,8 +202,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   const double negative = summary.GetAsDouble(rtglyphs::DataSummary::NEGATIVE_TENSORS);
   if (tensors && negative > 0.0)
   {
-    const int coloring = vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt();
-    const bool anisotropy = coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
+    const bool anisotropy = coloring.GetAsInt() == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
     const bool positive = shape == Shapes::TENSOR_ELLIPSOID || shape == Shapes::TENSOR_SUPERQUADRIC;
     std::string sentence = Percent(negative) + " of the tensors have a negative eigenvalue";
     sentence += positive ? ", drawn as a positive one" : "";

@@ -34,6 +34,11 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
     return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='" +
       values + "' " + more + "/>";
   };
+  const auto whereRayTraced = [&where](const std::string& more = "")
+  {
+    return where("Representation", "Ray Traced Glyphs", more) + where("Representation", "Ray Traced Surface", more) +
+      where("Representation", "Ray Traced Tubes", more);
+  };
   const auto decorate = [display](
                           std::initializer_list<const char*> names, const std::string& decorator, bool keepsOwn = true)
   {
@@ -58,9 +63,8 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
   // Path tracing takes the material of any Interpolation.
   decorate({ "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" },
     "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" + where("Interpolation", "3") +
-      "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
-      where("Representation", "Ray Traced Glyphs") + where("Representation", "Ray Traced Surface") +
-      where("Representation", "Ray Traced Tubes") + "</Expression></Expression></Expression></PropertyWidgetDecorator>",
+      "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" + whereRayTraced() +
+      "</Expression></Expression></Expression></PropertyWidgetDecorator>",
     false);
   // What ParaView has for points, lines, textures and back faces has no effect on what is ray traced.
   decorate({ "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres", "SelectTCoordArray",
@@ -68,10 +72,8 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
              "SeamlessV", "UseMipmapTextures", "ShowTexturesOnBackface", "NormalTexture", "CoatNormalTexture",
              "FlipTextures", "EdgeColor", "BackfaceRepresentation", "BackfaceAmbientColor", "BackfaceDiffuseColor",
              "BackfaceOpacity", "Triangulate", "UseShaderReplacements", "CoordinateShiftScaleMethod" },
-    "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" +
-      where("Representation", "Ray Traced Glyphs", "inverse='1'") +
-      where("Representation", "Ray Traced Surface", "inverse='1'") +
-      where("Representation", "Ray Traced Tubes", "inverse='1'") + "</Expression></PropertyWidgetDecorator>");
+    "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" + whereRayTraced("inverse='1'") +
+      "</Expression></PropertyWidgetDecorator>");
   // Split and uncertain vectors have the lengths and directions of SelectOrientationVectors.
   decorate({ "ScaleMode", "SelectScaleArray", "Orient", "OrientationMode" },
     "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +

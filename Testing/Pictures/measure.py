@@ -22,7 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "Regression"))
 import session  # noqa: E402
 from checks import Checks  # noqa: E402
-from property_claims import to_light  # noqa: E402
+from property_claims import to_level, to_light  # noqa: E402
 
 import simulation  # noqa: E402
 
@@ -60,11 +60,6 @@ def colors_of(name):
     return None
 
 
-def display(light):
-    """Display levels of light: the inverse of to_light()."""
-    return numpy.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1.0 / 2.4) - 0.055)
-
-
 def pixels_of(path):
     """Levels from 0 to 1 of some pixels of a picture, and which of them lie in areas of one color."""
     reader = vtkImageReader2Factory.CreateImageReader2(path)
@@ -93,7 +88,7 @@ def measured(path):
         return len(pixels), bright / dark, (pixels.max(1) < 0.1).mean(), (pixels.min(1) >= 254.0 / 255.0).mean(), numpy.nan
     linear = to_light(colors)
     factors = light.max(1)[:, None] / linear.max(1)
-    apart = numpy.stack([numpy.abs(display(light / factor[:, None]) - color).max(1) for factor, color in zip(factors.T, colors)])
+    apart = numpy.stack([numpy.abs(to_level(light / factor[:, None]) - color).max(1) for factor, color in zip(factors.T, colors)])
     own = apart.argmin(0)
     factor, apart, color = factors[numpy.arange(len(own)), own], apart.min(0), colors[own]
     level = pixels.max(1) / color.max(1)
