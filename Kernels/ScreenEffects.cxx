@@ -22,6 +22,8 @@ constexpr double creaseAngle = 40.0, flatness = 0.25;
 constexpr double leastStep = 2.0;
 // Of a glyph's visible diameter: its lines cover at most an eighth of it.
 constexpr float widestLine = 1.0f / 16.0f;
+// Visible diameters, in pixels, up to which there are no lines and from which on they are whole.
+constexpr float smallest = 8.0f, large = 24.0f;
 // Pixels over which a border is blurred: up to the first its line is whole, from the second on there is none, because
 // samples at pixels' centers would leave dots.
 constexpr double sharpBlur = 1.0, widestBlur = 3.0;
@@ -30,10 +32,11 @@ constexpr double sharpBlur = 1.0, widestBlur = 3.0;
 class Surface
 {
 public:
-  Surface(const Image& image, const float* depths, const Camera& camera)
+  Surface(const Image& image, const float* depths, const Camera& camera, const OutlinedSets& sets)
     : image_(image)
     , depths_(depths)
     , camera_(camera)
+    , sets_(sets)
     , pixelAtOne_(2.0 * glm::length(camera.parallel ? camera.eyeRight : camera.right) / image.width)
   {
   }
@@ -45,7 +48,14 @@ public:
   bool IsSame(int x, int y, int otherX, int otherY) const
   {
     const std::size_t a = this->At(x, y), b = this->At(otherX, otherY);
-    return this->image_.setIds[a] == this->image_.setIds[b] && this->image_.glyphIds[a] == this->image_.glyphIds[b];
+    return this->image_.setIds[a] == this->image_.setIds[b] &&
+      (this->image_.glyphIds[a] == this->image_.glyphIds[b] || this->KindOf(a) != OutlinedSets::Kind::Glyphs);
+  }
+  // What the pixel shows a part of.
+  std::uint64_t KeyOf(std::size_t at) const
+  {
+    const bool whole = this->KindOf(at) == OutlinedSets::Kind::Triangles;
+    return std::uint64_t(this->image_.setIds[at]) << 32u | (whole ? 0u : this->image_.glyphIds[at]);
   }
   double ViewDepth(int x, int y) const
   {
@@ -56,14 +66,15 @@ public:
   double PixelSize(double viewDepth) const { return this->pixelAtOne_ * (this->camera_.parallel ? 1.0 : viewDepth); }
 
   // Pixels over which the lens and its motion spread what a pixel shows.
-  double Blur(std::size_t at, const GlyphPath& path) const
+  double Blur(std::size_t at) const
   {
     const double depth =
       this->ViewDepth(static_cast<int>(at % this->image_.width), static_cast<int>(at / this->image_.width));
     const double defocus = (this->camera_.focusDepth - depth) / (this->camera_.focusDepth - this->camera_.lensDepth);
     const double circle = this->camera_.lensRadius > 0.0 ? 2.0 * this->camera_.lensRadius * std::abs(defocus) : 0.0;
-    const double way = path ? path(this->image_.setIds[at], this->image_.glyphIds[at]) : 0.0;
-    return std::max(circle, way) / this->PixelSize(depth);
+    const auto& pathLength = this->sets_.pathLength;
+    const double path = pathLength ? pathLength(this->image_.setIds[at], this->image_.glyphIds[at]) : 0.0;
+    return std::max(circle, path) / this->PixelSize(depth);
   }
 
   // Whether there is a line between a pixel and the next one along (dx, dy), both of which the image has.
@@ -100,14 +111,17 @@ public:
       return true;
     }
     // The edge may lie in a pixel that both pairs have: the first one, which does not bend, has no line.
-    const double turn = Turn(*before, *behind);
-    if (turn < glm::radians(creaseAngle) || Turn(*before, between) < 0.1 * turn)
+    const double across = this->MeanSlope(x, y, dy, dx, pixel),
+                 nextAcross = this->MeanSlope(nextX, nextY, dy, dx, pixel);
+    const double turn = Turn(*before, across, *behind, nextAcross);
+    if (turn < glm::radians(creaseAngle) || Turn(*before, across, between, across) < 0.1 * turn)
     {
       return false;
     }
     const std::optional<double> first = this->Slope(x - 2 * dx, y - 2 * dy, dx, dy, pixel);
     const std::optional<double> last = this->Slope(nextX + dx, nextY + dy, dx, dy, pixel);
-    return first && last && std::max(Turn(*first, *before), Turn(*behind, *last)) < flatness * turn;
+    return first && last &&
+      std::max(Turn(*first, across, *before, across), Turn(*behind, nextAcross, *last, nextAcross)) < flatness * turn;
   }
 
 private:
@@ -116,7 +130,11 @@ private:
     return x >= 0 && y >= 0 && x < static_cast<int>(this->image_.width) && y < static_cast<int>(this->image_.height);
   }
   std::size_t At(int x, int y) const { return std::size_t(y) * this->image_.width + x; }
-  // Between a pixel and the next one along (dx, dy), if they show one glyph.
+  OutlinedSets::Kind KindOf(std::size_t at) const
+  {
+    return this->sets_.kind ? this->sets_.kind(this->image_.setIds[at]) : OutlinedSets::Kind::Glyphs;
+  }
+  // Between a pixel and the next one along (dx, dy), if they show one glyph or parts of one surface.
   std::optional<double> Slope(int x, int y, int dx, int dy, double pixel) const
   {
     if (!this->IsHit(x, y) || !this->IsHit(x + dx, y + dy) || !this->IsSame(x, y, x + dx, y + dy))
@@ -132,11 +150,23 @@ private:
     return std::max(std::abs(this->Slope(x, y, dx, dy, pixel).value_or(0.0)),
       std::abs(this->Slope(x - dx, y - dy, dx, dy, pixel).value_or(0.0)));
   }
-  static double Turn(double slope, double other) { return std::abs(std::atan(slope) - std::atan(other)); }
+  double MeanSlope(int x, int y, int dx, int dy, double pixel) const
+  {
+    const std::optional<double> before = this->Slope(x - dx, y - dy, dx, dy, pixel);
+    const std::optional<double> behind = this->Slope(x, y, dx, dy, pixel);
+    return 0.5 * (before ? *before : behind.value_or(0.0)) + 0.5 * (behind ? *behind : before.value_or(0.0));
+  }
+  // Angle between two surfaces, from their slopes along and across the pair of pixels.
+  static double Turn(double along, double across, double otherAlong, double otherAcross)
+  {
+    const glm::dvec3 normal(along, across, 1.0), other(otherAlong, otherAcross, 1.0);
+    return std::atan2(glm::length(glm::cross(normal, other)), glm::dot(normal, other));
+  }
 
   const Image& image_;
   const float* depths_; ///< window depths of its pixels
   const Camera& camera_;
+  const OutlinedSets& sets_;
   double pixelAtOne_; ///< width of a pixel at view depth 1
 };
 
@@ -155,7 +185,7 @@ struct Lines
   std::vector<float> right, above;
 };
 
-Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface& surface, const GlyphPath& path)
+Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface& surface)
 {
   const std::size_t width = image.width, pixels = width * image.height;
   Lines lines{ std::vector<float>(pixels), std::vector<float>(pixels) };
@@ -177,7 +207,7 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
     if (image.glyphIds[i] != Image::noGlyph)
     {
       const bool again = i > 0 && image.glyphIds[i] == image.glyphIds[i - 1] && image.setIds[i] == image.setIds[i - 1];
-      at[i] = again ? at[i - 1] : &glyphs[std::uint64_t(image.setIds[i]) << 32u | image.glyphIds[i]];
+      at[i] = again ? at[i - 1] : &glyphs[surface.KeyOf(i)];
       ++at[i]->pixels;
     }
   }
@@ -207,18 +237,19 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
     {
       const bool isOther = !at[i] || (at[other] && image.depth[other] < image.depth[i]);
       const std::size_t front = isOther ? other : i;
-      const double sharp = (widestBlur - surface.Blur(front, path)) / (widestBlur - sharpBlur);
-      line = std::min(effects.outlineWidth, widestLine * at[front]->Diameter()) *
+      const double sharp = (widestBlur - surface.Blur(front)) / (widestBlur - sharpBlur);
+      const float diameter = at[front]->Diameter();
+      line = std::min(effects.outlineWidth, widestLine * diameter) *
+        std::clamp((diameter - smallest) / (large - smallest), 0.0f, 1.0f) *
         static_cast<float>(std::clamp(sharp, 0.0, 1.0));
     });
   return lines;
 }
 
-void DrawLines(
-  const ScreenEffects& effects, const Image& image, const Surface& surface, const GlyphPath& path, EffectImage& result)
+void DrawLines(const ScreenEffects& effects, const Image& image, const Surface& surface, EffectImage& result)
 {
   const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
-  const Lines lines = FindLines(effects, image, surface, path);
+  const Lines lines = FindLines(effects, image, surface);
   const int reach = static_cast<int>(std::ceil(0.5f * effects.outlineWidth + 0.5f));
   ParallelFor(image.height,
     [&](std::size_t row)
@@ -261,7 +292,7 @@ void DrawLines(
 
 } // namespace
 
-EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const GlyphPath& path)
+EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const OutlinedSets& sets)
 {
   const std::size_t pixels = std::size_t(image.width) * image.height;
   EffectImage result;
@@ -269,11 +300,11 @@ EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera
   result.depths.assign(image.depth, image.depth + pixels);
   if (effects.outlineWidth > 0.0f)
   {
-    DrawLines(effects, image, Surface(image, image.depth, camera), path, result);
+    DrawLines(effects, image, Surface(image, image.depth, camera, sets), result);
   }
   if (effects.depthCue > 0.0f)
   {
-    const Surface places(image, result.depths.data(), camera); // lines have depths of their own
+    const Surface places(image, result.depths.data(), camera, sets); // lines have depths of their own
     ParallelFor(image.height,
       [&](std::size_t row)
       {

@@ -22,19 +22,30 @@ struct ScreenEffects
   bool operator==(const ScreenEffects&) const = default;
 };
 
-/// World length that what an image calls so moves while the shutter is open.
-using GlyphPath = std::function<double(std::uint32_t set, std::uint32_t glyph)>;
+/// What lines have to know of the sets of an image.
+struct OutlinedSets
+{
+  enum class Kind
+  {
+    Glyphs,   ///< each is by itself
+    Pieces,   ///< they continue each other, as those of a tube
+    Triangles ///< all are one surface
+  };
+  std::function<Kind(std::uint32_t set)> kind;                              ///< empty: Glyphs
+  std::function<double(std::uint32_t set, std::uint32_t glyph)> pathLength; ///< while the shutter is open; empty: 0
+};
 
 /// The colors and window depths of an image with these effects. Lines run along borders between glyphs, or between a
 /// glyph and what is behind it, along steps of the depth within a glyph, and along creases of more than 40 degrees.
 /// They are as wide in every image, half of it on either side of the border, and lie at the depth of what is in front.
-/// Around what is so small that they would cover more than an eighth of it they are thinner, and around what a lens or
-/// its motion blurs over more than a pixel or two there are none. Without `path` nothing moves.
+/// Around what is less than 24 pixels wide they are thinner, below 8 pixels there are none, nor around what a lens or
+/// its motion blurs over more than a pixel or two.
 struct EffectImage
 {
   std::vector<std::uint32_t> colors; ///< as Image::color
   std::vector<float> depths;
 };
-EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const GlyphPath& path = {});
+EffectImage
+Apply(const ScreenEffects& effects, const Image& image, const Camera& camera, const OutlinedSets& sets = {});
 
 } // namespace rtg

@@ -48,7 +48,8 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   this->Qualities = { this->AddButton("Fast", tr("Quick pictures: local shading, few samples per pixel.") + view),
     this->AddButton("Balanced", tr("Ambient occlusion with enough samples per pixel for daily work.") + view),
     this->AddButton("Publication",
-      tr("Ambient occlusion, shadows, also on the ground, and many samples per pixel, for final pictures.") + view),
+      tr("Ambient occlusion, shadows, also on the ground, outlines and many samples per pixel, for final pictures.") +
+        view),
     this->AddButton(
       "Path Tracing", tr("Path tracing: light is scattered from glyph to glyph, with soft shadows.") + view),
     this->AddButton("Custom", tr("The values of the properties panel match none of these.")) };

@@ -214,7 +214,16 @@ void rtglyphs::RayTracedImages::Send(
     entry.Quad.SetImage(window, image.width, image.height, image.color, image.depth, version);
     return;
   }
-  const rtg::GlyphPath path = [this](std::uint32_t set, std::uint32_t glyph)
+  rtg::OutlinedSets sets;
+  sets.kind = [this](std::uint32_t set)
+  {
+    const rtg::GlyphInstances& glyphs = this->Scene->InstancesOf(set);
+    const bool tubes = glyphs.shape == rtg::Shape::RoundCone || glyphs.shape == rtg::Shape::SweptEllipsoid;
+    return glyphs.identifyTriangles ? rtg::OutlinedSets::Kind::Triangles
+      : tubes                       ? rtg::OutlinedSets::Kind::Pieces
+                                    : rtg::OutlinedSets::Kind::Glyphs;
+  };
+  sets.pathLength = [this](std::uint32_t set, std::uint32_t glyph)
   {
     const rtg::GlyphInstances& glyphs = this->Scene->InstancesOf(set);
     const rtg::GlyphMotion& motion = glyphs.identifyTriangles ? glyphs.mesh->motion : glyphs.motion;
@@ -227,7 +236,7 @@ void rtglyphs::RayTracedImages::Send(
     return glm::distance(
       motion.Displacement(mover, glyphs.motion.shutterOpen), motion.Displacement(mover, glyphs.motion.shutterClose));
   };
-  const rtg::EffectImage shown = rtg::Apply(effects, image, entry.Image.View().camera, path);
+  const rtg::EffectImage shown = rtg::Apply(effects, image, entry.Image.View().camera, sets);
   entry.Quad.SetImage(window, image.width, image.height, shown.colors.data(), shown.depths.data(), version);
 }
 

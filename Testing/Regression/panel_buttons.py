@@ -20,7 +20,7 @@ FROM_DATA = {"ScaleFactor", "SelectScaleArray", "ShutterTime"}
 OTHERS = {"SelectScaleArray": "other", "SelectOrientationVectors": "force", "GlyphTensorArray": "None", "VelocityArray": "force", "TubeRadius": 7.0,
           "ScaleFactor": 0.11}
 CHOSEN = tuple(OTHERS)
-QUALITY = ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising", "Shadows", "GroundShadow")
+QUALITY = ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising", "Shadows", "GroundShadow", "OutlineWidth")
 
 
 def values(shown, names=tuple(SET)):

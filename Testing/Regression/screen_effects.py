@@ -198,6 +198,27 @@ def outlines(checks, stage):
     view.CameraFocalDistance = 0.0
 
 
+def joined(checks, view):
+    """Lines run around a surface and a tube, not around the triangles and the pieces that they are made of."""
+    kinds = {"Ray Traced Surface": pv.Sphere(Center=[-0.7, 0.0, 0.0], ThetaResolution=24, PhiResolution=16),
+             "Ray Traced Tubes": pv.Line(Point1=[0.3, -0.5, 0.0], Point2=[1.1, 0.5, 0.0], Resolution=10)}
+    displays = [session.show(source, view, kind, samples=16, Ambient=1.0, Diffuse=0.0, **({"TubeRadius": 0.15} if "Tubes" in kind else {})) for kind, source in kinds.items()]
+    for display in displays:
+        session.solid(display, (0.9, 0.6, 0.3))
+    session.look(view, (0.2, 0.0, 3.0))
+    pictures = []
+    for width in (0.0, 2.0):
+        displays[0].OutlineWidth = width
+        pictures.append(session.capture(view, "screen-effects-joined-%d" % width)[..., :3].astype(int))
+    shown = (abs(pictures[0] - pictures[0][0, 0]) > 20).any(axis=2)
+    changed = (abs(pictures[1] - pictures[0]) > 20).any(axis=2)
+    for kind, half in zip(kinds, (numpy.s_[:, :120], numpy.s_[:, 120:])):
+        checks.true("%s: a line around it" % kind, changed[half].sum() > 100)
+        checks.equal("%s: pixels with a line within" % kind, int((changed & inner(shown, 4))[half].sum()), 0)
+    for display in displays:
+        display.Visibility = 0
+
+
 def main():
     """All parts."""
     session.load()
@@ -208,6 +229,7 @@ def main():
     lens(checks, stage)
     outlines(checks, stage)
     stage.hide()
+    joined(checks, stage.view)
     stripes(checks)
     checks.report()
 

@@ -123,11 +123,11 @@ def quality(checks, view, shown):
 
     def found():
         return [[str(display.GetPropertyValue(name)).strip("'") for name in
-                 ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising", "Shadows", "GroundShadow")] for display in shown]
+                 ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising", "Shadows", "GroundShadow", "OutlineWidth")] for display in shown]
 
-    meant = {"Fast": ["Fast", "Local", "4", "While Refining", "0", "None"], "Publication": ["Publication", "Ambient Occlusion", "256", "While Refining", "1", "Below"],
-             "Path Tracing": ["Path Tracing", "Path Tracing", "64", "While Refining", "1", "Below"],  # as it was
-             "Balanced": ["Balanced", "Ambient Occlusion", "32", "While Refining", "0", "None"]}
+    meant = {"Fast": ["Fast", "Local", "4", "While Refining", "0", "None", "0.0"], "Publication": ["Publication", "Ambient Occlusion", "256", "While Refining", "1", "Below", "1.0"],
+             "Path Tracing": ["Path Tracing", "Path Tracing", "64", "While Refining", "1", "Below", "1.0"],  # as it was
+             "Balanced": ["Balanced", "Ambient Occlusion", "32", "While Refining", "0", "None", "0.0"]}
     for number, (name, values_of_it) in enumerate(meant.items()):
         shown[number % 2].RenderingQuality = name
         checks.equal("quality " + name, found(), [values_of_it] * 2)
@@ -135,7 +135,7 @@ def quality(checks, view, shown):
     shown[0].Exposure = 0.5
     checks.equal("quality after a change of another property", found(), [meant["Balanced"]] * 2)
     shown[1].SamplesPerPixel = 31
-    checks.equal("quality after a change", found(), [["Custom", "Ambient Occlusion", "31", "While Refining", "0", "None"]] * 2)
+    checks.equal("quality after a change", found(), [["Custom", "Ambient Occlusion", "31", "While Refining", "0", "None", "0.0"]] * 2)
     shown[0].RenderingQuality = "Balanced"
     checks.equal("quality set again", found(), [meant["Balanced"]] * 2)
     pv.Delete(view)
