@@ -22,6 +22,8 @@ constexpr double creaseAngle = 40.0, flatness = 0.25;
 constexpr double leastStep = 2.0;
 // Of a glyph's visible diameter: its lines cover at most an eighth of it.
 constexpr float widestLine = 1.0f / 16.0f;
+// Pieces of a tube are longer than a quarter of its radius: next to each other are no others than these.
+constexpr std::uint32_t nearestPieces = 8;
 // Visible diameters, in pixels, up to which there are no lines and from which on they are whole.
 constexpr float smallest = 8.0f, large = 24.0f;
 // Pixels over which a border is blurred: up to the first its line is whole, from the second on there is none, because
@@ -48,18 +50,33 @@ public:
   bool IsSame(int x, int y, int otherX, int otherY) const
   {
     const std::size_t a = this->At(x, y), b = this->At(otherX, otherY);
-    return this->image_.setIds[a] == this->image_.setIds[b] &&
-      (this->image_.glyphIds[a] == this->image_.glyphIds[b] || this->KindOf(a) != OutlinedSets::Kind::Glyphs);
+    if (this->image_.setIds[a] != this->image_.setIds[b])
+    {
+      return false;
+    }
+    if (this->image_.glyphIds[a] == this->image_.glyphIds[b] || this->KindOf(a) == OutlinedSets::Kind::Surface)
+    {
+      return true;
+    }
+    const std::uint32_t first = this->PieceOf(a).number, second = this->PieceOf(b).number;
+    return this->KindOf(a) == OutlinedSets::Kind::Tubes &&
+      std::max(first, second) - std::min(first, second) <= nearestPieces;
   }
   // What the pixel shows a part of.
   std::uint64_t KeyOf(std::size_t at) const
   {
-    const bool whole = this->KindOf(at) == OutlinedSets::Kind::Triangles;
+    const bool whole = this->KindOf(at) == OutlinedSets::Kind::Surface;
     return std::uint64_t(this->image_.setIds[at]) << 32u | (whole ? 0u : this->image_.glyphIds[at]);
   }
-  double ViewDepth(int x, int y) const
+  // Twice the pixels across a tube, which is what Visible::Diameter() of a long tube is; 0 of all else.
+  float TubeDiameter(std::size_t at) const
   {
-    const double window = this->depths_[this->At(x, y)];
+    return static_cast<float>(2.0 * this->PieceOf(at).width / this->PixelSize(this->ViewDepth(at)));
+  }
+  double ViewDepth(int x, int y) const { return this->ViewDepth(this->At(x, y)); }
+  double ViewDepth(std::size_t at) const
+  {
+    const double window = this->depths_[at];
     const double offset = window - this->camera_.depthA;
     return this->camera_.parallel ? offset / this->camera_.depthB : this->camera_.depthB / offset;
   }
@@ -68,8 +85,7 @@ public:
   // Pixels over which the lens and its motion spread what a pixel shows.
   double Blur(std::size_t at) const
   {
-    const double depth =
-      this->ViewDepth(static_cast<int>(at % this->image_.width), static_cast<int>(at / this->image_.width));
+    const double depth = this->ViewDepth(at);
     const double defocus = (this->camera_.focusDepth - depth) / (this->camera_.focusDepth - this->camera_.lensDepth);
     const double circle = this->camera_.lensRadius > 0.0 ? 2.0 * this->camera_.lensRadius * std::abs(defocus) : 0.0;
     const auto& pathLength = this->sets_.pathLength;
@@ -133,6 +149,12 @@ private:
   OutlinedSets::Kind KindOf(std::size_t at) const
   {
     return this->sets_.kind ? this->sets_.kind(this->image_.setIds[at]) : OutlinedSets::Kind::Glyphs;
+  }
+  OutlinedSets::Piece PieceOf(std::size_t at) const
+  {
+    return this->KindOf(at) == OutlinedSets::Kind::Tubes
+      ? this->sets_.piece(this->image_.setIds[at], this->image_.glyphIds[at])
+      : OutlinedSets::Piece{};
   }
   // Between a pixel and the next one along (dx, dy), if they show one glyph or parts of one surface.
   std::optional<double> Slope(int x, int y, int dx, int dy, double pixel) const
@@ -238,7 +260,8 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
       const bool isOther = !at[i] || (at[other] && image.depth[other] < image.depth[i]);
       const std::size_t front = isOther ? other : i;
       const double sharp = (widestBlur - surface.Blur(front)) / (widestBlur - sharpBlur);
-      const float diameter = at[front]->Diameter();
+      const float tube = surface.TubeDiameter(front);
+      const float diameter = tube > 0.0f ? tube : at[front]->Diameter();
       line = std::min(effects.outlineWidth, widestLine * diameter) *
         std::clamp((diameter - smallest) / (large - smallest), 0.0f, 1.0f) *
         static_cast<float>(std::clamp(sharp, 0.0, 1.0));

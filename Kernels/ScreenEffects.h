@@ -22,17 +22,24 @@ struct ScreenEffects
   bool operator==(const ScreenEffects&) const = default;
 };
 
-/// What lines have to know of the sets of an image.
+/// What lines have to know of the sets of an image. Empty functions: Glyphs, 0.
 struct OutlinedSets
 {
   enum class Kind
   {
-    Glyphs,   ///< each is by itself
-    Pieces,   ///< they continue each other, as those of a tube
-    Triangles ///< all are one surface
+    Glyphs,
+    Tubes,  ///< of pieces, between which there are no lines
+    Surface ///< of triangles, between which there are no lines
   };
-  std::function<Kind(std::uint32_t set)> kind;                              ///< empty: Glyphs
-  std::function<double(std::uint32_t set, std::uint32_t glyph)> pathLength; ///< while the shutter is open; empty: 0
+  std::function<Kind(std::uint32_t set)> kind;
+  struct Piece
+  {
+    std::uint32_t number = 0; ///< along the tubes, one after the other
+    double width = 0.0;       ///< world units
+  };
+  std::function<Piece(std::uint32_t set, std::uint32_t glyph)> piece; ///< of Tubes
+  /// World length that a glyph moves while the shutter is open.
+  std::function<double(std::uint32_t set, std::uint32_t glyph)> pathLength;
 };
 
 /// The colors and window depths of an image with these effects. Lines run along borders between glyphs, or between a

@@ -219,9 +219,15 @@ void rtglyphs::RayTracedImages::Send(
   {
     const rtg::GlyphInstances& glyphs = this->Scene->InstancesOf(set);
     const bool tubes = glyphs.shape == rtg::Shape::RoundCone || glyphs.shape == rtg::Shape::SweptEllipsoid;
-    return glyphs.identifyTriangles ? rtg::OutlinedSets::Kind::Triangles
-      : tubes                       ? rtg::OutlinedSets::Kind::Pieces
+    return glyphs.identifyTriangles ? rtg::OutlinedSets::Kind::Surface
+      : tubes                       ? rtg::OutlinedSets::Kind::Tubes
                                     : rtg::OutlinedSets::Kind::Glyphs;
+  };
+  sets.piece = [this](std::uint32_t set, std::uint32_t glyph)
+  {
+    const std::uint32_t number = this->Scene->OriginalGlyph(set, glyph);
+    const glm::dvec3 size = this->Scene->InstancesOf(set).SizeOf(number);
+    return rtg::OutlinedSets::Piece{ number, 0.5 * (size.y + size.z) };
   };
   sets.pathLength = [this](std::uint32_t set, std::uint32_t glyph)
   {

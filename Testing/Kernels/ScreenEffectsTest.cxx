@@ -156,22 +156,29 @@ TEST_F(ScreenEffectsTest, LinesWithinAGlyph)
   EXPECT_EQ(lineAt([](double x, double y) { return Seen{ 4.0 + 1.5 * std::abs(x) + 8.0 * y, 0 }; }), 0.0);
 }
 
-// Pieces of a tube and triangles of a surface have no lines between them, only at steps and creases.
+// Neighboring pieces of a tube and triangles of a surface have no lines between them, only at steps. Lines of a tube
+// are as wide as it allows: of 16 pixels, and of 6.
 TEST_F(ScreenEffectsTest, SurfacesHaveNoLinesBetweenTheirParts)
 {
   this->effects.outlineWidth = 2.0f;
   using Kind = rtg::OutlinedSets::Kind;
-  for (const Kind kind : { Kind::Glyphs, Kind::Pieces, Kind::Triangles })
+  const auto lineAt = [this](Kind kind, double width, double behind, std::uint32_t next)
   {
     this->sets.kind = [kind](std::uint32_t) { return kind; };
-    for (const double behind : { 0.0, 0.2 })
-    {
-      this->Make(200, [behind](double x, double) { return Seen{ x < 0.0 ? 4.0 : 4.0 + behind, x < 0.0 ? 0u : 1u }; });
-      const std::vector<double> line = this->LineInRow();
-      const bool has = kind == Kind::Glyphs || behind > 0.0;
-      EXPECT_NEAR(std::accumulate(line.begin() + 5, line.end() - 5, 0.0), has ? 2.0 : 0.0, has ? 0.5 : 0.0);
-    }
+    this->sets.piece = [width](std::uint32_t, std::uint32_t glyph) { return rtg::OutlinedSets::Piece{ glyph, width }; };
+    this->Make(200, [&](double x, double) { return Seen{ x < 0.0 ? 4.0 : 4.0 + behind, x < 0.0 ? 0u : next }; });
+    const std::vector<double> line = this->LineInRow();
+    return std::accumulate(line.begin() + 5, line.end() - 5, 0.0);
+  };
+  EXPECT_NEAR(lineAt(Kind::Glyphs, 0.0, 0.0, 1), 2.0, 0.02);
+  for (const Kind kind : { Kind::Tubes, Kind::Surface })
+  {
+    EXPECT_EQ(lineAt(kind, 0.16, 0.0, 1), 0.0);
+    EXPECT_NEAR(lineAt(kind, 0.16, 0.2, 1), 2.0, 0.02);
   }
+  EXPECT_NEAR(lineAt(Kind::Tubes, 0.16, 0.0, 100), 2.0, 0.02);
+  EXPECT_NEAR(lineAt(Kind::Tubes, 0.06, 0.2, 100), 0.75 * (12.0 - 8.0) / 16.0, 0.02);
+  EXPECT_EQ(lineAt(Kind::Surface, 0.0, 0.0, 100), 0.0);
 }
 
 // Lines cover at most an eighth of a lattice of squares. They are whole around large ones, none around small ones.
