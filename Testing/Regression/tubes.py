@@ -128,13 +128,11 @@ def dense(view, checks):
         pv.Delete(shown)
     checks.within("pieces of a dense track", counted[0]["glyphs"], 0.5 * counted[1]["glyphs"], 1.5 * counted[1]["glyphs"])
     checks.picture("a dense track", pictures[0], pictures[1], pixels=0.002, mean=1.0)
-    seconds = []
-    for length in (0.1, 1e5):  # in one spot, and apart
-        shown = show(session.source(line_data([numpy.linspace((0.0, 0.0, 0.0), (length, 0.0, 0.0), 60000)])), view, radius=1.0)
-        pv.Render(view)
-        seconds.append(session.statistics(shown)["instanceSeconds"])
-        pv.Delete(shown)
-    checks.within("seconds for the pieces of a track in one spot", seconds[0], 0.0, seconds[1] + 0.5)
+    # In one spot; time that grows with the square of the points would be hours.
+    shown = show(session.source(line_data([numpy.linspace((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), 600000)])), view, radius=1.0)
+    pv.Render(view)
+    checks.within("pieces of a track in one spot", session.statistics(shown)["glyphs"], 1, 2)
+    pv.Delete(shown)
 
 
 def directions(view, checks):
