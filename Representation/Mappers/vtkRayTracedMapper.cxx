@@ -377,7 +377,7 @@ bool vtkRayTracedMapper::NeedsBuild(vtkActor* actor) const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::Update(vtkActor* actor)
+void vtkRayTracedMapper::Update(vtkActor* actor, const rtg::GlyphInstances* sent)
 {
   vtkPolyData* points = this->GetPoints();
   if (!points)
@@ -397,13 +397,22 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     {
       rtg::Stopwatch watch;
       this->BuildInstances(points, actor);
+      this->InstancesTaken = false;
       ++this->InstanceBuilds;
       this->InstanceSeconds += watch.Lap();
       this->ReportSizes();
+      if (sent && *sent == this->Instances)
+      {
+        this->TakeInstances(actor); // one copy is enough
+      }
+      else
+      {
+        this->InstanceVersion = NewVersion();
+      }
     });
 
   ColorKey color;
-  color.OriginalIds = this->OriginalIdsVersion;
+  color.InstanceBuilds = this->InstanceBuilds;
   color.State = this->ColorState();
   for (const rtglyphs::RayTracedBlocks::Block& block : this->Blocks)
   {
@@ -435,6 +444,17 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
       ++this->ColorBuilds;
       this->ColorSeconds += watch.Lap();
     });
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances vtkRayTracedMapper::TakeInstances(vtkActor* actor)
+{
+  if (this->InstancesTaken && this->Points)
+  {
+    this->BuildInstances(this->Points, actor);
+  }
+  this->InstancesTaken = true;
+  return std::exchange(this->Instances, {});
 }
 
 //----------------------------------------------------------------------------

@@ -75,16 +75,17 @@ public:
   ///@{
   /**
    * For the scene. Update() brings instances and colors up to date, whose versions then differ from all earlier ones of
-   * any mapper; it may throw std::bad_alloc and is then to be called again. NeedsBuild() says whether it would build
-   * instances. TakeInstances() hands the instances over,
-   * and builds them again for a second taker; GetInstances() is null when they have been taken.
+   * any mapper; it may throw std::bad_alloc and is then to be called again. Instances that are built again and equal
+   * `sent`, those of GetInstanceVersion() (null: nobody has them), keep their version. NeedsBuild() says whether it
+   * would build instances. TakeInstances() hands them over, and builds them again for a second taker; GetInstances() is
+   * null when they have been taken.
    */
-  void Update(vtkActor* actor);
+  void Update(vtkActor* actor, const rtg::GlyphInstances* sent);
   bool NeedsBuild(vtkActor* actor) const;
   std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
   std::uint64_t GetColorVersion() const { return this->ColorVersion; }
-  virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
-  virtual const rtg::GlyphInstances* GetInstances() const = 0;
+  virtual rtg::GlyphInstances TakeInstances(vtkActor* actor);
+  const rtg::GlyphInstances* GetInstances() const { return this->InstancesTaken ? nullptr : &this->Instances; }
   const rtg::GlyphColors& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
   const rtg::Section& GetSection() const { return *this->Section; }
@@ -269,13 +270,13 @@ protected:
   std::uint64_t BlocksVersion = 0;
   rtglyphs::RayTracedOriginalIds OriginalIds; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
+  rtg::GlyphInstances Instances; // unless they are taken
   std::string MissingInput;
   bool InWindow = false, Aside = false;
   rtg::GlyphColors Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
-  std::uint64_t InstanceVersion = 0, ColorVersion = 0, OriginalIdsVersion = 0, InstanceBuilds = 0;
-  std::uint64_t ColorBuilds = 0;
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0, InstanceBuilds = 0, ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;
   rtglyphs::RayTracedParallel::Progress BuildProgress;
   std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes, NewMessages;
@@ -293,7 +294,7 @@ private:
   struct ColorKey
   {
     std::vector<vtkMTimeType> Times, State;
-    std::uint64_t OriginalIds = 0;
+    std::uint64_t InstanceBuilds = 0;
     std::vector<rtglyphs::RayTracedBlocks::Attributes> Blocks;
     std::array<double, 3> SolidColor{};
     vtkMTimeType Selected = 0;
@@ -307,6 +308,7 @@ private:
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
+  bool InstancesTaken = false;
   DataStatistics OfData;
   rtglyphs::RayTracedCache<InstanceKey> Built;
   rtglyphs::RayTracedCache<ColorKey> Colored;

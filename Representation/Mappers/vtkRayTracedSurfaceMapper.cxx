@@ -37,8 +37,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   motion.Finish(shutter);
   this->OriginalIds = std::move(result.Cells);
   this->Skipped = result.Skipped;
-  ++this->OriginalIdsVersion;
-  const bool same = this->Instances.mesh && this->InstanceVersion > 0 && result.Origin == this->Instances.origin &&
+  const bool same = this->Instances.mesh && result.Origin == this->Instances.origin &&
     rtg::SameShape(result.Mesh, *this->Instances.mesh) && shutter.shutterOpen == this->Instances.motion.shutterOpen &&
     shutter.shutterClose == this->Instances.motion.shutterClose;
   if (!same)
@@ -50,7 +49,6 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
     this->Instances.origin = result.Origin;
     this->Instances.motion = shutter;
     this->Instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(result.Mesh));
-    this->ShapeChanged = true;
   }
 
   std::vector<std::string> messages = motion.Messages();
@@ -105,11 +103,6 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
     colored->positionValues != mesh.positionValues || colored->valueColors != mesh.valueColors)
   {
     this->Instances.mesh = std::move(colored);
-    this->ShapeChanged = true;
-  }
-  if (this->ShapeChanged)
-  {
-    this->ShapeChanged = false;
     this->InstanceVersion = NewVersion();
   }
   this->Report(messages, this->ReportedColors);

@@ -37,10 +37,7 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
   this->Ends = std::move(result.Ends);
   this->Instances = std::move(result.Instances);
   this->Placement = rtglyphs::GlyphPlacement(actor->GetMatrix());
-  this->Taken = false;
   this->Skipped = result.Bad + result.Empty;
-  ++this->OriginalIdsVersion;
-  this->InstanceVersion = NewVersion();
   this->ReportInstances(std::move(result.Messages), rtglyphs::GlyphMotion::MissingInput(this->Settings.Motion));
 }
 
@@ -123,19 +120,6 @@ glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType pie
     this->OriginalIds[next] == this->OriginalIds[piece] && this->Ends[next][1 - end] == this->Ends[piece][end];
   const glm::dvec3 own = along(piece), mean = joined ? own + along(next) : own;
   return glm::length(mean) > 1e-6 ? glm::normalize(mean) : own;
-}
-
-//----------------------------------------------------------------------------
-rtg::GlyphInstances vtkRayTracedTubeMapper::TakeInstances(vtkActor* actor)
-{
-  if (this->Taken)
-  {
-    this->Instances =
-      rtglyphs::RayTracedTubeBuilder::Build(this->GetPoints(), this->Hidden, actor->GetMatrix(), this->BuiltSettings)
-        .Instances;
-  }
-  this->Taken = true;
-  return std::exchange(this->Instances, rtg::GlyphInstances());
 }
 
 //----------------------------------------------------------------------------

@@ -29,8 +29,6 @@ public:
   void SetDirectionColoring(int kind) { this->DirectionColoring = kind; }
 
   // vtkRayTracedMapper
-  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
-  const rtg::GlyphInstances* GetInstances() const override { return this->Taken ? nullptr : &this->Instances; }
   Origin OriginOf(vtkIdType piece, int association, const double position[3]) override;
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
@@ -52,8 +50,6 @@ private:
 
   rtglyphs::RayTracedTubeBuilder::Settings Settings, BuiltSettings;
   int DirectionColoring = rtglyphs::DirectionColors::NONE;
-  rtg::GlyphInstances Instances; // until they are taken
-  bool Taken = false;
   std::vector<std::array<vtkIdType, 2>> Ends;    // points of each piece
   rtglyphs::GlyphPlacement Placement{ nullptr }; // the actor's
 };

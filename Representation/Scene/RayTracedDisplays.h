@@ -107,7 +107,8 @@ private:
   // with the same list draw the same picture.
   using Versions = std::vector<std::array<std::uint64_t, 3>>;
 
-  Versions UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
+  Versions
+  UpdateAll(vtkRenderer* renderer, RayTracedImages& images, const std::function<void(const std::string&)>& report);
   void ReportMessages(bool collective);
   rtg::Material GetMaterial(int display, vtkRenderer* renderer) const; // by its number
 
