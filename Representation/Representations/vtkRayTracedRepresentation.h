@@ -24,9 +24,9 @@
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "GlyphContent.h"
+#include "RayTracedCache.h"
 #include "RayTracedNumbers.h"
 #include "RayTracedRendering.h"
-#include "RayTracedSelected.h"
 #include "SurfaceContent.h"
 #include "TubeContent.h"
 #endif
@@ -37,6 +37,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
@@ -322,7 +323,7 @@ private:
   // The data side
   rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what); // to ParaView's progress bar
   void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
-  vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, const int* wholeExtent);
+  void Gather(vtkDataObject* input, const int* wholeExtent);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
@@ -333,7 +334,8 @@ private:
   rtglyphs::TubeContent Tubes;
   rtglyphs::RayTracedContent* Content; // one of these
   rtglyphs::RayTracedRendering Rendering;
-  rtglyphs::RayTracedSelected Selected;
+  vtkSmartPointer<vtkDataObject> Gathered;
+  rtglyphs::RayTracedCache<std::tuple<vtkDataObject*, vtkMTimeType, vtkMTimeType, std::array<int, 3>, int>> GatherCache;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
   vtkSmartPointer<vtkDataObject> Piece;      // gathered, not yet delivered
