@@ -86,7 +86,7 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
     &pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this, &pqRayTracedGlyphsToolBar::follow);
   if (auto* refinement = pqRayTracedGlyphsRefinement::instance())
   {
-    QObject::connect(refinement, &pqRayTracedGlyphsRefinement::looked, this, &pqRayTracedGlyphsToolBar::follow);
+    QObject::connect(refinement, &pqRayTracedGlyphsRefinement::progressed, this, &pqRayTracedGlyphsToolBar::follow);
   }
   this->follow(pqActiveObjects::instance().activeView());
 

@@ -1,6 +1,6 @@
 /**
- * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own. They
- * begin as the input's arrays never should, so that none of the same name is lost.
+ * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own, and
+ * differ from these by their prefix.
  */
 #ifndef RayTracedArrays_h
 #define RayTracedArrays_h

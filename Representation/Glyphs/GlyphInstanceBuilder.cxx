@@ -246,7 +246,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   {
     return result;
   }
-  rtglyphs::GlyphArrays::ReportLacking(points, settings, hidden, result.Messages);
+  rtglyphs::GlyphArrays::ReportMissing(points, settings, hidden, result.Messages);
   const rtglyphs::GlyphSizes sizes(points, settings, candidates);
   if (const std::string& problem = sizes.GetProblem(); !problem.empty())
   {
@@ -257,7 +257,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
     {
       result.MissingInput = problem;
     }
-    else if (!rtglyphs::RayTracedBlocks::IsElsewhere(points, array))
+    else if (!rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, array))
     {
       result.Messages.push_back(problem);
     }

@@ -50,7 +50,7 @@ public:
     {
       point = (*this)[point];
     }
-    this->Take(std::move(kept));
+    this->SetChosen(std::move(kept));
   }
 
   /**
@@ -84,7 +84,7 @@ public:
   std::vector<double> SampledPositions(double wanted) const;
 
 private:
-  void Take(std::vector<vtkIdType> chosen);
+  void SetChosen(std::vector<vtkIdType> chosen);
 
   vtkDataArray* Positions;
   bool Thinned;

@@ -22,7 +22,7 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
   , ByComponents(scaling.ScaleMode == rtglyphs::GlyphScaling::COMPONENTS && this->ScaleArray &&
       this->ScaleArray->GetNumberOfComponents() > 1) // one is a magnitude
   , RankLacksScales(scaling.Scaling && !rtglyphs::RayTracedArrays::IsNone(scaling.ScaleArray) &&
-      rtglyphs::RayTracedBlocks::IsElsewhere(points, scaling.ScaleArray) &&
+      rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, scaling.ScaleArray) &&
       !points->GetPointData()->HasArray(scaling.ScaleArray.c_str()))
 {
   if (scaling.Tensors.On)
@@ -32,7 +32,7 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
     if (this->Problem.empty())
     {
       this->Tensors = std::make_unique<rtglyphs::GlyphTensors>(array, scaling.Tensors, chosen);
-      this->LackingTensors = rtglyphs::RayTracedBlocks::Lacking(array);
+      this->MissingTensors = rtglyphs::RayTracedBlocks::MissingTuples(array);
     }
   }
   if (scaling.IsOfVectors())

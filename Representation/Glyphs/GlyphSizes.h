@@ -45,7 +45,7 @@ public:
   bool Lacks(vtkIdType point, Tuples& tuples) const
   {
     return this->RankLacksScales || (tuples.Scales && !tuples.Scales.Has(point)) ||
-      (tuples.Forms && !tuples.Forms.Has(point)) || this->LackingTensors.Has(point);
+      (tuples.Forms && !tuples.Forms.Has(point)) || this->MissingTensors.Has(point);
   }
   bool HasScales() const { return this->ScaleArray != nullptr; }
   bool ScalesByComponents() const { return this->ByComponents; }
@@ -81,7 +81,7 @@ private:
   vtkDataArray *ScaleArray, *FormArray;
   const bool ByComponents, RankLacksScales;
   std::unique_ptr<const GlyphTensors> Tensors;
-  RayTracedRanges LackingTensors;
+  RayTracedRanges MissingTensors;
   std::unique_ptr<const GlyphForms> Forms;
   std::string Problem;
 };

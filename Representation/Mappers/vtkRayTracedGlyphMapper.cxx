@@ -307,7 +307,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     this->AddRadiusColors(colors);
   }
-  if (mapped.Any || tensors || byDirection || this->HasOwnLooks() || selected)
+  if (mapped.Any || tensors || byDirection || this->HasBlockColors() || selected)
   {
     colors.each.resize(this->OriginalIds.size());
     rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(colors.each.size()),
@@ -366,7 +366,7 @@ void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColors& colors) const
 // A glyph stands for its point, and for a cell where the gatherer has found one.
 vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
 {
-  vtkPolyData* points = this->GetPoints();
+  vtkPolyData* points = this->GetPolyData();
   if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())
   {
     return Origin();

@@ -42,7 +42,7 @@ public:
    * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
   void SetBlocks(const rtglyphs::RayTracedBlocks& blocks);
-  vtkPolyData* GetPoints() const { return this->Points; }
+  vtkPolyData* GetPolyData() const { return this->PolyData; }
   ///@}
 
   /**
@@ -58,12 +58,12 @@ public:
   void SetSelectionColor(const std::array<double, 3>& color);
 
   /**
-   * The cut; the caller may change it.
+   * The cut, which the caller may change later.
    */
   void SetSection(std::shared_ptr<const rtg::Section> section) { this->Section = std::move(section); }
 
   /**
-   * Where it is shown again, in world coordinates; likewise.
+   * The periodic images, in world coordinates, which the caller may change later.
    */
   void SetImages(std::shared_ptr<const rtg::PeriodicImages> images) { this->Images = std::move(images); }
 
@@ -122,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Missing input that the user must choose; empty: none. Who makes the choices in a
-   * window, one after the other, is not warned of it.
+   * Missing input that the user must choose; empty: none. In a window, where choices are made one after the other, no
+   * warning says so.
    */
   const std::string& GetMissingInput() const { return this->MissingInput; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
@@ -131,11 +131,11 @@ public:
 
   ///@{
   /**
-   * Whether the next frames show something else in its place, and soon it again: it is left out, and stays on the
-   * device. Default is false.
+   * The next frames show something else in its place, and later ones the mapper again: its glyphs stay on the device.
+   * Default is false.
    */
-  void SetAside(bool aside) { this->Aside = aside; }
-  bool IsAside() const { return this->Aside; }
+  void SetSuspended(bool suspended) { this->Suspended = suspended; }
+  bool IsSuspended() const { return this->Suspended; }
   ///@}
 
   ///@{
@@ -238,9 +238,9 @@ protected:
   ///@}
 
   /**
-   * Whether some block has a color or an opacity of its own.
+   * Whether some block has its own color or opacity.
    */
-  bool HasOwnLooks() const;
+  bool HasBlockColors() const;
 
   /**
    * The number of a point's block.
@@ -272,7 +272,7 @@ protected:
   vtkIdType Skipped = 0;
   rtg::GlyphInstances Instances; // unless they are taken
   std::string MissingInput;
-  bool InWindow = false, Aside = false;
+  bool InWindow = false, Suspended = false;
   rtg::GlyphColors Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
@@ -282,8 +282,7 @@ protected:
   std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes, NewMessages;
 
 private:
-  // Dependencies of instances besides the settings. Arrays are known by their time stamps, of which no two are alike:
-  // data that come again in a new vtkPolyData are recognized.
+  // Dependencies of instances besides the settings. Time stamps identify arrays, also in another vtkPolyData.
   struct InstanceKey
   {
     std::vector<vtkMTimeType> Times;
@@ -304,10 +303,10 @@ private:
 
   InstanceKey KeyOf(vtkActor* actor) const;
   void MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped);
-  bool TakeValues(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped);
+  bool ReadColorTexture(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped);
   void ReportSizes();
 
-  vtkSmartPointer<vtkPolyData> Points;
+  vtkSmartPointer<vtkPolyData> PolyData;
   bool InstancesTaken = false;
   DataStatistics OfData;
   rtglyphs::RayTracedCache<InstanceKey> Built;

@@ -52,7 +52,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   }
 
   std::vector<std::string> messages = motion.Messages();
-  rtglyphs::GlyphMotion::ReportLacking(surface, settings, this->Hidden, messages);
+  rtglyphs::GlyphMotion::ReportMissing(surface, settings, this->Hidden, messages);
   if (result.Skipped > 0)
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
@@ -91,7 +91,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
       [&](vtkIdType i)
       { colored->triangleColors[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i])); });
   }
-  else if (mapped.Any || this->HasOwnLooks())
+  else if (mapped.Any || this->HasBlockColors())
   {
     colored->positionColors.resize(mesh.positions.size());
     rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.positions.size()),
@@ -119,7 +119,7 @@ rtg::GlyphInstances vtkRayTracedSurfaceMapper::TakeInstances(vtkActor*)
 vtkRayTracedMapper::Origin
 vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const double position[3])
 {
-  vtkPolyData* surface = this->GetPoints();
+  vtkPolyData* surface = this->GetPolyData();
   if (!surface || triangle < 0 || triangle >= this->GetNumberOfGlyphs())
   {
     return Origin();

@@ -62,7 +62,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   rtg::GlyphColors colors;
   colors.table = mapped.Table;
   const bool ends = directions || !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
-  const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));
+  const bool each = points || (!ends && (mapped.Any || this->HasBlockColors()));
   colors.each.resize(each ? this->OriginalIds.size() : 0);
   colors.ends.resize(ends ? this->OriginalIds.size() : 0);
   const auto atEnd = [&](vtkIdType piece, int end)
@@ -126,7 +126,7 @@ glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType pie
 // A point is that end of the piece that lies nearer.
 vtkRayTracedMapper::Origin vtkRayTracedTubeMapper::OriginOf(vtkIdType piece, int association, const double position[3])
 {
-  vtkPolyData* lines = this->GetPoints();
+  vtkPolyData* lines = this->GetPolyData();
   if (!lines || piece < 0 || piece >= this->GetNumberOfGlyphs())
   {
     return Origin();

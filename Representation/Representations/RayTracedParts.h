@@ -45,9 +45,10 @@ public:
   ///@}
 
   /**
-   * Appearance and place of ParaView's actor, which is not rendered and whose numbers may be NaN or infinite.
+   * Gives the main actor the appearance and place of ParaView's, which is not rendered and may have NaN or infinite
+   * numbers.
    */
-  void Follow(vtkActor* actor);
+  void UpdateActor(vtkActor* actor);
 
   /**
    * The same of an actor whose numbers are good, for another one.

@@ -151,7 +151,7 @@ int vtkRayTracedRepresentation::RequestData(
   }
   if (!good)
   {
-    steps.GiveUp();
+    steps.CancelRequests();
   }
   else if (const std::string message = steps.TakeMessage(); !message.empty())
   {
@@ -344,7 +344,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     vtkNew<vtkPolyData> nothing; // of an input that has failed, as a source of a state file may
     this->Rendering.Show(this->Piece ? this->Piece.Get() : nothing.Get());
     this->Content->Deliver(inInfo, this, /*lod=*/false);
-    vtkPolyData* points = this->Common.Blocks.GetPoints();
+    vtkPolyData* points = this->Common.Blocks.GetPolyData();
     if (this->Common.HasData)
     {
       this->Common.Time.UpdateShutterTime(

@@ -104,7 +104,7 @@ rtglyphs::RayTracedDisplays::Versions rtglyphs::RayTracedDisplays::UpdateAll(
     vtkRayTracedMapper* mapper = display.Mapper;
     display.Shown = false;
     vtkActor* actor = display.Actor;
-    if (!actor || !actor->GetVisibility() || mapper->IsAside())
+    if (!actor || !actor->GetVisibility() || mapper->IsSuspended())
     {
       continue;
     }
@@ -218,7 +218,7 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
     const bool known = display.Scene == sceneNumber;
     if (!display.Shown)
     {
-      if (known && mapper->IsAside() && display.Actor && display.Actor->GetVisibility())
+      if (known && mapper->IsSuspended() && display.Actor && display.Actor->GetVisibility())
       {
         scene.SetVisible(display.Set, false, /*keep=*/true);
       }

@@ -143,7 +143,7 @@ protected:
 private:
   static vtkRayTracedScene* New();
 
-  void TakeSmoothing();
+  void DisableFXAA();
   void StartFrame();
   void EndFrame();
   void Report(const std::string& message);

@@ -235,7 +235,9 @@ public:
 
   void SaveState(vtkPVXMLElement* parent, const char* name, const char* uid, int saveDomains) override
   {
-    if (rtglyphs::RayTracedChoices::ShowsRayTraced(this) || !(this->GetInformationOnly() || this->IsValueDefault()))
+    vtkSMProxy* owner = this->GetParent();
+    const bool shown = owner && rtglyphs::RayTracedChoices::ShowsRayTraced(owner->GetTrueParentProxy());
+    if (shown || !(this->GetInformationOnly() || this->IsValueDefault()))
     {
       Base::SaveState(parent, name, uid, saveDomains);
     }
