@@ -34,7 +34,7 @@
 
 namespace
 {
-// Between two renders, in milliseconds: enough for the window to take its events.
+// Milliseconds between two renders, enough for the window to process its events.
 constexpr int pauseBetween = 5;
 // Milliseconds without a render after which a view that was turned rests.
 constexpr int quietTime = 300;

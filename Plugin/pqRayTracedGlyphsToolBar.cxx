@@ -166,7 +166,7 @@ void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
 }
 
 //----------------------------------------------------------------------------
-// Of a quality that was chosen, as soon as it is known: that it takes long, and what would not.
+// The status bar shows that the chosen quality takes long, as soon as that is known, and how long others take.
 void pqRayTracedGlyphsToolBar::TellTime(const pqRayTracedGlyphsRefinement::Image& image)
 {
   const bool holds = this->Untold && this->Untold->isChecked();

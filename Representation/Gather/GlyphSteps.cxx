@@ -171,7 +171,7 @@ bool rtglyphs::GlyphSteps::AddTo(vtkDataObject* gathered, vtkDataObject* input, 
 }
 
 //----------------------------------------------------------------------------
-// Of all inputs, since those behind the same source get one time.
+// All inputs get the time, since inputs behind the same source have one.
 void rtglyphs::GlyphSteps::RequestMissing(vtkInformationVector** inputs, int ports) const
 {
   for (int port = 0; !this->Missing.empty() && port < ports; ++port)
@@ -185,7 +185,7 @@ void rtglyphs::GlyphSteps::RequestMissing(vtkInformationVector** inputs, int por
 }
 
 //----------------------------------------------------------------------------
-// Alike on all ranks: readers may work together.
+// All ranks request the same steps: readers may work together.
 void rtglyphs::GlyphSteps::FindMissing(double time, vtkInformation* from, vtkAlgorithm* source)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(source->GetExecutive());

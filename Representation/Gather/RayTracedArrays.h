@@ -54,7 +54,7 @@ constexpr vtkTypeInt64 EncodeCellId(vtkTypeInt64 id)
 {
   return id + CellIdOffset;
 }
-/// Of the point, or of the cell.
+/// The id of the point, or of the cell.
 constexpr vtkTypeInt64 InputId(vtkTypeInt64 id)
 {
   return IsCellId(id) ? id - CellIdOffset : id;

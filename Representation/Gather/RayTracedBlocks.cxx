@@ -26,7 +26,7 @@ namespace
 using Attributes = rtglyphs::RayTracedBlocks::Attributes;
 using Block = rtglyphs::RayTracedBlocks::Block;
 
-// Of joined points those of each block, of a joined array those that lack it.
+// Information of joined points: the range of each block. Of a joined array: the ranges of blocks without it.
 class Ranges : public vtkObject
 {
 public:

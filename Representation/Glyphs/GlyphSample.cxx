@@ -12,7 +12,7 @@
 
 namespace
 {
-// Those of one axis of positions.
+// Coordinates along one axis.
 std::vector<double> Along(int axis, const std::vector<double>& positions)
 {
   std::vector<double> values;

@@ -20,7 +20,7 @@ class vtkPolyData;
 namespace rtglyphs::GlyphSample
 {
 /**
- * Of at least one value.
+ * The value below which that fraction of the values lies; there is at least one.
  */
 constexpr double typicalQuantile = 0.95;
 double Quantile(std::vector<double> values, double fraction);

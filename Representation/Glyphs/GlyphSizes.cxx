@@ -174,7 +174,7 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
       return zero ? ZERO_POLYNOMIAL : POLYNOMIAL;
     }
     glyph.Radius = static_cast<float>(extent.bound);
-    // Of the unit glyph, which is a little less than the largest that is possible
+    // The unit glyph is a little smaller than the largest that is possible
     glyph.Size *= this->Settings.Sizing(extent.radius) * (extent.bound / extent.radius);
   }
   this->Finish(point, tuples, glyph.Size);

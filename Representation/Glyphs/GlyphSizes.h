@@ -60,19 +60,20 @@ public:
   ///@}
 
   /**
-   * By the scale array along the glyph's axes, with its signs.
+   * Factors along the glyph's axes by the scale array, with its signs.
    */
   glm::dvec3 Scale(vtkIdType point, Tuples& tuples) const;
 
   /**
-   * By everything, along the longest axis; 0: the point has no glyph. No less than the exact one, and hardly more.
+   * Factor along the longest axis by everything; 0: the point has no glyph. It is no less than the exact one, and
+   * hardly more.
    */
   double Magnitude(vtkIdType point, Tuples& tuples) const;
 
 protected:
   /**
-   * By everything along each axis, bounded from above. `form` is that of the polynomial, if there is one; its `bound`
-   * takes no part.
+   * Upper bounds of the factors along each axis by everything. `form` is that of the polynomial, if there is one; its
+   * `bound` takes no part.
    */
   glm::dvec3 Bound(vtkIdType point, Tuples& tuples, rtg::FormExtent& form) const;
 

@@ -15,7 +15,7 @@ namespace
 {
 using Settings = rtglyphs::GlyphSettings;
 
-// Of the lengths of orientation tuples, the first that a mode takes.
+// Index of the first of the lengths of orientation tuples that a mode takes.
 int ModeFrom(int mode)
 {
   return mode == Settings::DIRECTION ? 0 : mode == Settings::ROTATION ? 1 : mode == Settings::QUATERNION ? 2 : 3;

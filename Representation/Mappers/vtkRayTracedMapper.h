@@ -52,8 +52,8 @@ public:
   void SetKnownBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
 
   /**
-   * Of what RayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces of
-   * tubes on both sides of such points. Default is magenta.
+   * Color of what RayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces
+   * of tubes on both sides of such points. Default is magenta.
    */
   void SetSelectionColor(const std::array<double, 3>& color);
 

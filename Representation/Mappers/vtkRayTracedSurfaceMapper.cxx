@@ -27,9 +27,7 @@ std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* s
 //----------------------------------------------------------------------------
 void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
 {
-  rtglyphs::GlyphMotion::Settings settings = this->Settings.Motion;
-  settings.AngularVelocity.clear(); // points do not rotate
-  const rtglyphs::GlyphMotion motion(surface, settings);
+  const rtglyphs::GlyphMotion motion(surface, this->Settings.Motion);
   rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::BuildRelative(
     surface, this->Hidden, actor->GetMatrix(), this->Settings.Smooth, motion);
   this->BuiltSettings = this->Settings;
@@ -52,7 +50,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   }
 
   std::vector<std::string> messages = motion.Messages();
-  rtglyphs::GlyphMotion::ReportMissing(surface, settings, this->Hidden, messages);
+  rtglyphs::GlyphMotion::ReportMissing(surface, this->Settings.Motion, this->Hidden, messages);
   if (result.Skipped > 0)
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +

@@ -105,7 +105,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
 }
 
 //----------------------------------------------------------------------------
-// Of unit length: between two pieces the mean of both.
+// A unit vector; between two pieces the mean of both.
 glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType piece, int end) const
 {
   const auto along = [&](vtkIdType of)

@@ -24,7 +24,7 @@ public:
   void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings) { this->Settings = settings; }
 
   /**
-   * Of rtglyphs::DirectionColors, whatever else would color tubes. Default is none.
+   * A kind of rtglyphs::DirectionColors, which replaces all other colors. Default is none.
    */
   void SetDirectionColoring(int kind) { this->DirectionColoring = kind; }
 

@@ -123,7 +123,7 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPoly
 }
 
 //----------------------------------------------------------------------------
-// Not where points have more than one glyph, or are chosen anyway.
+// Points with several glyphs, and those that a mask has chosen, are not reduced.
 vtkDataObject* rtglyphs::GlyphContent::Reduce(vtkDataObject* data, const double bounds[6], double resolution)
 {
   constexpr double most = 256.0; // cells along the longest side
@@ -221,7 +221,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
   Values& summary = this->Common.Summary;
   summary[SCALE_PERCENTILE] = this->ScalePercentile(points, settings);
   double largest = 0.0;
-  if (this->LegendStyle.On)
+  if (this->Legend->IsOn())
   {
     settings.Frame = settings.Frame == GlyphFrame::Split ? GlyphFrame::Vector : settings.Frame; // magnitudes themselves
     rtglyphs::RayTracedRanks::Together(
@@ -365,8 +365,7 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
 void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& settings)
 {
   using namespace rtglyphs::DataSummary;
-  this->Legend->SetStyle(this->LegendStyle);
-  if (!this->LegendStyle.On)
+  if (!this->Legend->IsOn())
   {
     return;
   }
@@ -424,7 +423,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
     double& most = settings.Sizing.Most;
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
-  // Between the process that has the source and one that renders it is part of what is delivered.
+  // The source's description is delivered with the mesh to processes that render.
   const rtglyphs::GlyphSource source(this->Meshes.GetMesh(0));
   settings.Arrow = source.Arrow;
   settings.Arrow.fixedHeads = this->FixedHeads;
@@ -478,13 +477,6 @@ void rtglyphs::GlyphContent::SetMode(int mode)
 {
   this->Settings.Mask.On = mode > 0;
   this->Settings.Mask.Mode = std::max(mode - 1, 0);
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphContent::SetLegend(int place)
-{
-  this->LegendStyle.On = place > 0;
-  this->LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
 }
 
 //----------------------------------------------------------------------------

@@ -28,7 +28,7 @@ public:
 
   ///@{
   /**
-   * Of all mappers.
+   * Settings of all mappers.
    */
   const std::shared_ptr<rtg::PeriodicImages> Images = std::make_shared<rtg::PeriodicImages>();
   const std::shared_ptr<rtg::Section> Section = std::make_shared<rtg::Section>();
@@ -51,7 +51,7 @@ public:
   void UpdateActor(vtkActor* actor);
 
   /**
-   * The same of an actor whose numbers are good, for another one.
+   * Gives one actor the appearance and place of another, whose numbers are finite.
    */
   static void Copy(vtkActor* from, vtkActor* to);
 };

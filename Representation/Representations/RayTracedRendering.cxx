@@ -96,7 +96,7 @@ void rtglyphs::RayTracedRendering::Show(vtkDataObject* data, Shown& shown)
 }
 
 //----------------------------------------------------------------------------
-// Those of everything shown of gathered or delivered points.
+// Bounds of everything that is shown of gathered or delivered points.
 const double* rtglyphs::RayTracedRendering::BoundsOf(RayTracedContent& content, vtkPolyData* points, Shown& shown)
 {
   return shown.Bounds.Get(points, content.GetAllSizes(points), shown.Blocks.GetHidden());

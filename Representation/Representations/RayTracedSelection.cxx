@@ -21,7 +21,7 @@ namespace
 {
 using Id = std::pair<unsigned int, vtkTypeInt64>; // flat index of the block, number in it
 
-// Those of points, and EncodeCellId() those of cells, sorted.
+// Appends ids of points, and of cells as EncodeCellId() has them.
 void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
 {
   if (!extracted)

@@ -39,6 +39,11 @@ public:
   GlyphMotion::Settings GetMotion() const;
 
   /**
+   * The same of points of lines and surfaces, which do not rotate.
+   */
+  GlyphMotion::Settings GetMotionOfPoints() const;
+
+  /**
    * On all ranks that have data at once. `sizes` of the points, of a unit glyph of some length, are asked for where
    * they matter.
    */

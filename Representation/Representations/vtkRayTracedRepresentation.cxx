@@ -381,7 +381,7 @@ bool vtkRayTracedRepresentation::NeedsOrderedCompositing()
 }
 
 //----------------------------------------------------------------------------
-// Without the superclass's actor.
+// The superclass would add its actor.
 bool vtkRayTracedRepresentation::AddToView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))

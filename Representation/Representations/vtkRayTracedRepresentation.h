@@ -4,8 +4,8 @@
  *
  * What is shown is a RayTracedContent, which ParaView names as subtype of the representation (SetRepresentation());
  * this class delivers and places it. Appearance, placement, colors and blocks are those of ParaView's ordinary surface.
- * Of the superclass neither the geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is
- * gathered, and actors of ours follow its actor (RayTracedParts).
+ * The superclass's geometry filter is not run, and its actor not rendered: its MultiBlockMaker delivers what is
+ * gathered, and RayTracedParts copies the actor's appearance.
  *
  * Points, triangles or lines are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view
  * with their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are
@@ -179,13 +179,13 @@ public:
 
   ///@{
   /**
-   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
-   * its corner and 1. Default is none, a number that fits.
+   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend for places and
+   * defaults.
    */
-  void SetGlyphLegend(int place) { this->Glyphs.SetLegend(place); }
+  void SetGlyphLegend(int place) { this->Glyphs.GetLegend()->SetPlace(place); }
   void SetGlyphLegendValue(double value)
   {
-    this->Glyphs.LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0);
+    this->Glyphs.GetLegend()->SetValue(rtglyphs::RayTracedNumbers::NumberOr(value, 0.0));
   }
   ///@}
 

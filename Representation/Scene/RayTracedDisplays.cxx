@@ -18,7 +18,7 @@
 
 namespace
 {
-// Those of the mapper's version that the kernels have; null: none.
+// The instances of the mapper's version that the kernels have; null: none.
 const rtg::GlyphInstances*
 SentInstances(const rtglyphs::RayTracedDisplays::Display& display, rtglyphs::RayTracedImages& images)
 {

@@ -53,12 +53,9 @@ public:
   {
     if (!this->Images.Device || this->Images.Device->Lost())
     {
-      this->Images.DropScene();
-      if (this->Images.Resources)
-      {
-        this->Images.Past += rtg::StatisticsOf(*this->Images.Resources);
-        this->Images.Resources.reset();
-      }
+      this->Images.Past = this->Images.GetStatistics();
+      this->Images.Scene.reset();
+      this->Images.Resources.reset();
       for (auto& [place, entry] : this->Images.Entries)
       {
         entry->Tracer.reset();

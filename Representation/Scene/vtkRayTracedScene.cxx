@@ -292,7 +292,7 @@ void vtkRayTracedScene::StartFrame()
   const bool ground = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround;
   if (ground && !kind.Collective)
   {
-    // Of several ranks' pictures compositing takes no more than what lies before the bounds of their data.
+    // Compositing of several ranks' pictures leaves out what lies behind the bounds of their data.
     kind.GroundPass = self.Displays.Shows(opaque) ? opaque : translucent;
     kind.Shown = self.Displays.ComputeShownBounds();
   }

@@ -86,7 +86,7 @@ public:
 
   ///@{
   /**
-   * Of a display: its ray-traced representation (null: none), whether it shows that as glyphs, or as anything ray
+   * State of a display: its ray-traced representation (null: none), whether it shows that as glyphs, or as anything ray
    * traced, and whether it is one of ParaView's window; scripts set what they need.
    */
   VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
@@ -102,7 +102,7 @@ private:
     PLUGIN,
     USER
   };
-  // Those of the values that are not the user's which Renew() chooses anew.
+  // Values that Renew() chooses anew, unless they are the user's.
   enum class Renewed
   {
     All,

@@ -76,7 +76,7 @@ void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
 }
 
-// By an array of the data.
+// Whether an array of the data orients the glyphs.
 bool AreOriented(vtkSMProxy* glyphs)
 {
   auto* list = List::Of(glyphs, "SelectOrientationVectors");

@@ -160,7 +160,7 @@ public:
   }
 
 private:
-  // Of the array of points of that name, or else of cells. Where there is none, many lines are thinner.
+  // The largest value of the point array of that name, or else of the cell array. Without one, many lines are thinner.
   double LargestValue()
   {
     vtkSMProperty* named = this->GetRequiredProperty("Array");

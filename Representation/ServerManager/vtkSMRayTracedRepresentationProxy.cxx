@@ -28,7 +28,7 @@ vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 }
 
 //----------------------------------------------------------------------------
-// Of a display's representations at most one is visible.
+// At most one of a display's representations is visible.
 bool vtkSMRayTracedRepresentationProxy::IsShown()
 {
   auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());

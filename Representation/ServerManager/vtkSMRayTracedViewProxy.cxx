@@ -30,13 +30,13 @@ vtkStandardNewMacro(vtkSMRayTracedViewProxy);
 
 namespace
 {
-// By view, which keeps its own. A script that exits connected leaves proxies that end after what is static.
+// Owners by view, which keeps its own. Proxies of a script that exits connected outlive static objects.
 auto& owners = *new std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*>;
 
 // The present speed is the mean of so long to twice as long: of a step's fraction, but no more seconds.
 constexpr double fractionOfSpeed = 0.25, secondsOfSpeed = 20.0;
 
-// Of the wall clock, since some fixed time.
+// Seconds of the wall clock since a fixed time.
 double Now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -120,7 +120,7 @@ void vtkSMRayTracedViewProxy::Remove(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-// A display has another value.
+// A display's property has another value, which the view's gets.
 void vtkSMRayTracedViewProxy::DisplayModified(vtkObject* settings, unsigned long, void* name)
 {
   vtkSMProperty* property = vtkSMProxy::SafeDownCast(settings)->GetProperty(static_cast<const char*>(name));
@@ -135,7 +135,7 @@ void vtkSMRayTracedViewProxy::DisplayModified(vtkObject* settings, unsigned long
 }
 
 //----------------------------------------------------------------------------
-// It is to be used.
+// A display's property is pushed to the servers, and so is the view's.
 void vtkSMRayTracedViewProxy::DisplayPushed(vtkObject* settings, unsigned long, void* name)
 {
   vtkSMProperty* property = vtkSMProxy::SafeDownCast(settings)->GetProperty(static_cast<const char*>(name));
@@ -275,7 +275,7 @@ bool vtkSMRayTracedViewProxy::IsRenderedRemotely()
 }
 
 //----------------------------------------------------------------------------
-// Of the process that renders; with remote rendering nothing happens on the client, so the server's first rank reports.
+// The process that renders answers; with remote rendering that is the server's first rank.
 std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, bool ofAllRanks)
 {
   const bool remote = this->IsRenderedRemotely();

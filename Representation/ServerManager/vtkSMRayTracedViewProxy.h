@@ -30,7 +30,7 @@ public:
   vtkTypeMacro(vtkSMRayTracedViewProxy, vtkSMProxy);
 
   /**
-   * Of a view; null: nothing was in it yet.
+   * The owner of a view's settings; null: nothing ray traced was in it yet.
    */
   static vtkSMRayTracedViewProxy* Of(vtkSMProxy* view);
 

@@ -35,7 +35,7 @@ public:
     , Lines(lines)
     , Hidden(hidden)
     , How(settings)
-    , Motion(lines, WithoutTurns(settings.Motion))
+    , Motion(lines, settings.Motion)
     , Radii(rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, settings, this->RadiiOfCells))
     , MissingRadii(rtglyphs::RayTracedBlocks::MissingTuples(this->Radii))
     , RankLacksRadii(!this->Radii && rtglyphs::RayTracedBlocks::IsOnOtherRanks(lines, settings.RadiusArray))
@@ -61,13 +61,7 @@ public:
   }
 
 private:
-  static rtglyphs::GlyphMotion::Settings WithoutTurns(rtglyphs::GlyphMotion::Settings settings)
-  {
-    settings.AngularVelocity.clear(); // points do not rotate
-    return settings;
-  }
-
-  // Of the covariances in the world, and their largest half-axes: negative if a matrix has no root.
+  // Covariances in the world, and their largest half-axes: negative if a matrix has no root.
   void FindEllipsoids()
   {
     constexpr double rounding = 1e-6;
@@ -211,7 +205,7 @@ private:
     this->Out.Messages = this->Motion.Messages();
     rtglyphs::RayTracedBlocks::ReportMissing(
       this->Lines, this->How.RadiusArray, this->Hidden, "TubeRadiusArray", "have no tubes", this->Out.Messages);
-    rtglyphs::GlyphMotion::ReportMissing(this->Lines, WithoutTurns(this->How.Motion), this->Hidden, this->Out.Messages);
+    rtglyphs::GlyphMotion::ReportMissing(this->Lines, this->How.Motion, this->Hidden, this->Out.Messages);
     if (!rtglyphs::RayTracedArrays::IsNone(this->How.RadiusArray) && !this->Radii && !this->RankLacksRadii)
     {
       this->Out.Messages.push_back("There is no array '" + this->How.RadiusArray +
@@ -266,7 +260,6 @@ Settings rtglyphs::RayTracedTubeBuilder::Settings::Effective() const
 {
   Settings effective = *this;
   effective.Motion = this->Motion.Effective();
-  effective.Motion.AngularVelocity.clear();
   if (rtglyphs::RayTracedArrays::IsNone(this->RadiusArray))
   {
     effective.RadiusArray.clear();
