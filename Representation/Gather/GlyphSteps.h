@@ -68,7 +68,7 @@ public:
   void CancelRequests() { this->Missing.clear(); }
 
   /**
-   * What is to be said of the last step, with a remedy; empty where it has been said.
+   * Warnings about the last step that were not returned before, with remedies; or empty.
    */
   std::string TakeMessage();
 

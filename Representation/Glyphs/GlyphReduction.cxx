@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  // Of each cell of the grid, and of each point with a large glyph.
+  // Sums over each cell of the grid, and of each point with a large glyph.
   struct Sums
   {
     enum Values

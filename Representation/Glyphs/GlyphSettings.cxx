@@ -78,7 +78,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
   settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
   settings.Opacity = none.Opacity;
   settings.TrailFading = none.TrailFading;
-  // Of polynomials each point of the surface has a direction.
+  // Each point of a polynomial's surface has its own direction.
   settings.DirectionColoring = settings.Forms.On ? settings.DirectionColoring : none.DirectionColoring;
   return settings;
 }

@@ -163,7 +163,7 @@ public:
   virtual Origin OriginOf(vtkIdType glyph, int association, const double position[3]) = 0;
 
   /**
-   * Whether a glyph or triangle primarily stands for a point or a cell.
+   * FieldAssociations of what a glyph or triangle primarily stands for.
    */
   virtual int GetNaturalAssociation() const = 0;
 

@@ -127,7 +127,7 @@ void rtglyphs::RayTracedRendering::UpdateBounds(RayTracedContent& content, vtkIn
 }
 
 //----------------------------------------------------------------------------
-// A problem with properties, or none, unless it is the one that was last reported.
+// Reports a problem with properties, unless there is none or it was reported last.
 void rtglyphs::RayTracedRendering::ReportAnew(const std::string& problem, std::string& reported) const
 {
   if (problem != std::exchange(reported, problem) && !problem.empty())

@@ -1,5 +1,5 @@
 /**
- * How a display moves, as its properties say and earlier time steps of its data tell: velocities, trails, and how long
+ * Motion of a display by its properties and by earlier time steps of its data: velocities, trails, and how long
  * the shutter is open.
  */
 #ifndef RayTracedTime_h

@@ -9,7 +9,7 @@
 
 namespace
 {
-// Images of one pass that are kept: two eyes, and as many of a capture.
+// Most images that are kept: those of two eyes, and as many of a capture, in each pass.
 constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
 constexpr std::uint64_t keptFrames = 6;
