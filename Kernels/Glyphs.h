@@ -55,6 +55,7 @@ struct GlyphTuples
   bool empty() const { return this->values.empty(); }
   const float* operator[](std::size_t glyph) const { return &this->values[glyph * this->width]; }
   float* operator[](std::size_t glyph) { return &this->values[glyph * this->width]; }
+  bool operator==(const GlyphTuples&) const = default;
 };
 
 /// All numbers of an array one after the other.
@@ -183,6 +184,7 @@ struct GlyphInstances
     return !this->sizes3.empty() ? this->sizes3[glyph]
                                  : glm::vec3(this->sizes1.empty() ? this->uniformSize : this->sizes1[glyph]);
   }
+  bool operator==(const GlyphInstances&) const = default; ///< of the same mesh, not of an equal one
 };
 
 /// Whether some glyph is not opaque, by arrays other than material and colors.

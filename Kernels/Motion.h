@@ -46,6 +46,8 @@ struct GlyphMotion
   glm::dvec3 Displacement(std::size_t glyph, double time) const;
   /// Unit quaternion of the rotation since time 0.
   glm::dquat Turn(std::size_t glyph, double time) const;
+
+  bool operator==(const GlyphMotion&) const = default;
 };
 
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.

@@ -101,8 +101,8 @@ void pqRayTracedGlyphsArray::list()
 {
   this->Arrays->clear();
   this->Arrays->addItem(tr("None"));
-  const vtkSMPropertyHelper shown(this->proxy(), "Representation");
-  auto* arrays = ArraysOf(this->proxy(), this->property(), strcmp(shown.GetAsString(), "Ray Traced Glyphs") == 0);
+  const bool own = rtglyphs::RayTracedChoices::ShowsGlyphs(this->proxy());
+  auto* arrays = ArraysOf(this->proxy(), this->property(), own);
   for (unsigned int i = 0; arrays && i < arrays->GetNumberOfStrings(); ++i)
   {
     const char* name = arrays->GetString(i);

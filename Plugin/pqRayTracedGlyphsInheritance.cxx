@@ -1,5 +1,6 @@
 #include "pqRayTracedGlyphsInheritance.h"
 
+#include "RayTracedChoices.h"
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
@@ -30,12 +31,6 @@ bool IsPart(vtkSMProxy* filter)
   static const QStringList parts{ "Clip", "Cut", "Threshold", "ExtractSelection", "ExtractGrid", "ExtractBlock",
     "ExtractBlockUsingDataAssembly" };
   return parts.contains(filter->GetXMLName());
-}
-
-QString KindOf(vtkSMProxy* display)
-{
-  vtkSMProperty* kind = display->GetProperty("Representation");
-  return kind ? vtkSMPropertyHelper(kind).GetAsString() : QString();
 }
 
 // Sources of glyphs are each display's own.
@@ -121,13 +116,13 @@ void pqRayTracedGlyphsInheritance::inherit()
     auto* part = display ? vtkSMRepresentationProxy::SafeDownCast(display->getProxy()) : nullptr;
     // Where a filter always replaces its input, ParaView has hidden that already.
     const bool replaced = shown && (shown->isVisible() || filter->replaceInput() == 1);
-    if (!part || !replaced || !KindOf(shown->getProxy()).startsWith("Ray Traced"))
+    if (!part || !replaced || !rtglyphs::RayTracedChoices::ShowsRayTraced(shown->getProxy()))
     {
       continue;
     }
     const pqScopedUndoSet undo(tr("Show the Part as Its Source"));
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", part);
-    part->SetRepresentationType(KindOf(shown->getProxy()).toUtf8().constData());
+    part->SetRepresentationType(vtkSMPropertyHelper(shown->getProxy(), "Representation").GetAsString());
     CopySettings(shown->getProxy(), part);
     part->UpdateVTKObjects();
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;

@@ -1,5 +1,6 @@
 #include "pqRayTracedGlyphsMenu.h"
 
+#include "RayTracedChoices.h"
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqObjectBuilder.h"
@@ -129,8 +130,7 @@ bool pqRayTracedGlyphsMenu::contextMenu(
   QMenu* menu, pqView* view, const QPoint& place, pqRepresentation* display, const QList<unsigned int>&) const
 {
   auto* data = qobject_cast<pqDataRepresentation*>(display);
-  vtkSMProperty* kind = data ? data->getProxy()->GetProperty("Representation") : nullptr;
-  if (view && kind && QString(vtkSMPropertyHelper(kind).GetAsString()) == "Ray Traced Glyphs")
+  if (view && data && rtglyphs::RayTracedChoices::ShowsGlyphs(data->getProxy()))
   {
     QAction* action = menu->addAction(tr("Add Surface"));
     action->setObjectName("AddSurface");

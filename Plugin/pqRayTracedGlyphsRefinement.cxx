@@ -34,7 +34,7 @@
 
 namespace
 {
-// Between two renders, in milliseconds: enough for the window to take its events.
+// Milliseconds between two renders, enough for the window to process its events.
 constexpr int pauseBetween = 5;
 // Milliseconds without a render after which a view that was turned rests.
 constexpr int quietTime = 300;
@@ -53,16 +53,16 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
   this->AtRest.setInterval(quietTime);
   QObject::connect(&this->AtRest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rested);
   QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::pressed, this, [this]() { this->stop(nullptr); });
-  const auto look = [this]() { Q_EMIT this->looked(pqActiveObjects::instance().activeView()); };
-  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::listening, this, look);
+  const auto notify = [this]() { Q_EMIT this->progressed(pqActiveObjects::instance().activeView()); };
+  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::listening, this, notify);
   QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::rested, this,
-    [this, look]()
+    [this, notify]()
     {
       if (pqProgressWidget* bar = this->Showing ? nullptr : this->Abort.progressBar())
       {
         bar->enableAbort(false);
       }
-      look();
+      notify();
     });
   onlyOne = this;
 }
@@ -136,14 +136,15 @@ void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* represen
     proxy->UpdateProperty("SamplesPerRender");
     for (const char* fromData : { "ScaleFactor", "ShutterTime" })
     {
-      pqCoreUtilities::connect(proxy->GetProperty(fromData), vtkCommand::ModifiedEvent, this, SLOT(tell(vtkObject*)));
+      pqCoreUtilities::connect(
+        proxy->GetProperty(fromData), vtkCommand::ModifiedEvent, this, SLOT(showChoice(vtkObject*)));
     }
   }
 }
 
 //----------------------------------------------------------------------------
 // Over time the data may choose another number, which changes the picture.
-void pqRayTracedGlyphsRefinement::tell(vtkObject* number)
+void pqRayTracedGlyphsRefinement::showChoice(vtkObject* number)
 {
   auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
   if (window && rtglyphs::RayTracedChoices::IsChoosing())
@@ -244,13 +245,13 @@ void pqRayTracedGlyphsRefinement::rendered()
   auto* view = qobject_cast<pqView*>(this->sender());
   for (const Part& part : view ? PartsOf(view) : std::vector<Part>())
   {
-    this->Look(part);
+    this->CheckProgress(part);
   }
 }
 
 //----------------------------------------------------------------------------
 // How far an image is, after a render.
-void pqRayTracedGlyphsRefinement::Look(Part part)
+void pqRayTracedGlyphsRefinement::CheckProgress(Part part)
 {
   vtkRenderWindow* window = part.Proxy ? part.Proxy->GetRenderWindow() : nullptr;
   // A picture that is captured says nothing of the image in the window.
@@ -280,7 +281,7 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
     {
       this->Waiting.push_back(part);
     }
-    Q_EMIT this->looked(part.View);
+    Q_EMIT this->progressed(part.View);
   }
   this->ShowProgress();
   if (!this->Waiting.empty())
@@ -337,7 +338,7 @@ void pqRayTracedGlyphsRefinement::Render(const Part& part)
   }
   this->Abort.renderStarted();
   part.Proxy->StillRender();
-  this->Look(part);
+  this->CheckProgress(part);
 }
 
 //****************************************************************************
@@ -406,7 +407,7 @@ void pqRayTracedGlyphsRefinement::stop(const pqView* view)
       scene->InvokeCommand("StopRefinement");
       part.View->render(); // as a finished picture is: smoothed
     }
-    Q_EMIT this->looked(part.View);
+    Q_EMIT this->progressed(part.View);
   }
   this->ShowProgress();
 }

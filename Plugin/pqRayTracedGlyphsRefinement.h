@@ -64,7 +64,7 @@ Q_SIGNALS:
   /**
    * The image of a view may be another one, or further.
    */
-  void looked(pqView* view);
+  void progressed(pqView* view);
 
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -73,7 +73,7 @@ private Q_SLOTS:
   void viewAdded(pqView* view);
   void representationAdded(pqRepresentation* representation);
   void proxyAdded(pqProxy* proxy);
-  void tell(vtkObject* number);
+  void showChoice(vtkObject* number);
   void rendered();
   void step();
   void rested();
@@ -87,7 +87,7 @@ private:
   };
   static std::vector<Part> PartsOf(pqView* view);
   static vtkSMRayTracedViewProxy* SceneOf(const Part& part);
-  void Look(Part part);
+  void CheckProgress(Part part);
   void Render(const Part& part);
   void ShowProgress();
 

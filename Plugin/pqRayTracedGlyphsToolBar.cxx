@@ -87,7 +87,7 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
     &pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this, &pqRayTracedGlyphsToolBar::follow);
   if (auto* refinement = pqRayTracedGlyphsRefinement::instance())
   {
-    QObject::connect(refinement, &pqRayTracedGlyphsRefinement::looked, this, &pqRayTracedGlyphsToolBar::follow);
+    QObject::connect(refinement, &pqRayTracedGlyphsRefinement::progressed, this, &pqRayTracedGlyphsToolBar::follow);
   }
   this->follow(pqActiveObjects::instance().activeView());
 
@@ -167,7 +167,7 @@ void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
 }
 
 //----------------------------------------------------------------------------
-// Of a quality that was chosen, as soon as it is known: that it takes long, and what would not.
+// The status bar shows that the chosen quality takes long, as soon as that is known, and how long others take.
 void pqRayTracedGlyphsToolBar::TellTime(const pqRayTracedGlyphsRefinement::Image& image)
 {
   const bool holds = this->Untold && this->Untold->isChecked();

@@ -60,7 +60,7 @@ void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreMeshes)
     this->Piece->SetBlock(0, PolygonsOf(data));
   }
   this->Piece->Modified();
-  this->Take(this->Piece);
+  this->SetDelivered(this->Piece);
 }
 
 //----------------------------------------------------------------------------
@@ -70,7 +70,7 @@ vtkDataObject* rtglyphs::GlyphMeshes::GetPiece() const
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphMeshes::Take(vtkDataObject* piece)
+void rtglyphs::GlyphMeshes::SetDelivered(vtkDataObject* piece)
 {
   auto* outer = vtkMultiBlockDataSet::SafeDownCast(piece);
   vtkDataObject* inner = outer && outer->GetNumberOfBlocks() > 0 ? outer->GetBlock(0) : nullptr;

@@ -39,9 +39,9 @@ public:
   vtkDataObject* GetPiece() const;
 
   /**
-   * Takes the meshes of a piece that the view has delivered (may be null), until the next Gather().
+   * The meshes are those of a piece that the view has delivered (may be null), until the next Gather().
    */
-  void Take(vtkDataObject* piece);
+  void SetDelivered(vtkDataObject* piece);
 
   /**
    * Number of meshes, and mesh i; null: there is none.

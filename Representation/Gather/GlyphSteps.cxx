@@ -97,7 +97,7 @@ bool rtglyphs::GlyphSteps::SetVelocities(bool on)
   }
   this->Shown.reset();
   this->Before.reset();
-  this->Said.clear();
+  this->Reported.clear();
   return true;
 }
 
@@ -118,7 +118,7 @@ void rtglyphs::GlyphSteps::Forget()
   this->Shown.reset();
   this->Before.reset();
   this->Kept.clear();
-  this->Said.clear();
+  this->Reported.clear();
 }
 
 //----------------------------------------------------------------------------
@@ -171,7 +171,7 @@ bool rtglyphs::GlyphSteps::AddTo(vtkDataObject* gathered, vtkDataObject* input, 
 }
 
 //----------------------------------------------------------------------------
-// Of all inputs, since those behind the same source get one time.
+// All inputs get the time, since inputs behind the same source have one.
 void rtglyphs::GlyphSteps::RequestMissing(vtkInformationVector** inputs, int ports) const
 {
   for (int port = 0; !this->Missing.empty() && port < ports; ++port)
@@ -185,7 +185,7 @@ void rtglyphs::GlyphSteps::RequestMissing(vtkInformationVector** inputs, int por
 }
 
 //----------------------------------------------------------------------------
-// Alike on all ranks: readers may work together.
+// All ranks request the same steps: readers may work together.
 void rtglyphs::GlyphSteps::FindMissing(double time, vtkInformation* from, vtkAlgorithm* source)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(source->GetExecutive());
@@ -205,13 +205,14 @@ void rtglyphs::GlyphSteps::FindMissing(double time, vtkInformation* from, vtkAlg
   this->Earlier.assign(std::make_reverse_iterator(end), std::make_reverse_iterator(end - count));
   if (times.size() < 2)
   {
-    this->Say("TrailSteps needs data of several time steps, and these have one; so there are no trails. Open them as a "
-              "time series, or set TrailSteps to 0.",
+    this->AddMessage(
+      "TrailSteps needs data of several time steps, and these have one; so there are no trails. Open them as a "
+      "time series, or set TrailSteps to 0.",
       "one step");
   }
   else if (shown.LacksIds())
   {
-    this->Say(GlyphStep::IdsNeeded("TrailSteps", "there are no trails"), "trails without ids");
+    this->AddMessage(GlyphStep::IdsNeeded("TrailSteps", "there are no trails"), "trails without ids");
   }
   if (known[0] == 0.0)
   {
@@ -287,13 +288,15 @@ void rtglyphs::GlyphSteps::AddVelocities(vtkDataObject* gathered)
   const GlyphStep& now = this->Shown->Points;
   if (now.LacksIds())
   {
-    this->Say(GlyphStep::IdsNeeded("VelocityFromPreviousStep", "the glyphs stand still"), "velocities without ids");
+    this->AddMessage(
+      GlyphStep::IdsNeeded("VelocityFromPreviousStep", "the glyphs stand still"), "velocities without ids");
     return;
   }
   if (!std::isfinite(this->Shown->Time))
   {
-    this->Say("VelocityFromPreviousStep needs the time of the data, which they lack; so the glyphs stand still. Open "
-              "them as a time series, or choose a VelocityArray.",
+    this->AddMessage(
+      "VelocityFromPreviousStep needs the time of the data, which they lack; so the glyphs stand still. Open "
+      "them as a time series, or choose a VelocityArray.",
       "no time");
     return;
   }
@@ -310,7 +313,7 @@ void rtglyphs::GlyphSteps::AddVelocities(vtkDataObject* gathered)
          << " points stand still, because VelocityFromPreviousStep finds no point, or several, with their ids in the "
             "step shown before, at time "
          << this->Before->Time << ". Choose another PointIdArray if they were there. Later steps are not reported.";
-    this->Say(text.str(), "no partner");
+    this->AddMessage(text.str(), "no partner");
   }
   pairs = GlyphStep::WithoutCrossings(std::move(pairs));
   for (const auto& [here, before] : pairs)
@@ -330,9 +333,9 @@ double rtglyphs::GlyphSteps::GetStepLength() const
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphSteps::Say(const std::string& message, const std::string& kind)
+void rtglyphs::GlyphSteps::AddMessage(const std::string& message, const std::string& kind)
 {
-  if (this->Said.insert(kind).second)
+  if (this->Reported.insert(kind).second)
   {
     this->Message += (this->Message.empty() ? "" : " ") + message;
   }

@@ -63,12 +63,12 @@ public:
   void RequestMissing(vtkInformationVector** inputs, int ports) const;
 
   /**
-   * Nothing is missing any more: gathering has failed.
+   * Gathering has failed.
    */
-  void GiveUp() { this->Missing.clear(); }
+  void CancelRequests() { this->Missing.clear(); }
 
   /**
-   * What is to be said of the last step, with a remedy; empty where it has been said.
+   * Warnings about the last step that were not returned before, with remedies; or empty.
    */
   std::string TakeMessage();
 
@@ -87,7 +87,7 @@ private:
   void FindMissing(double time, vtkInformation* from, vtkAlgorithm* source);
   void AddTrails(vtkDataObject* gathered, const rtg::PeriodicImages& images) const;
   void AddVelocities(vtkDataObject* gathered);
-  void Say(const std::string& message, const std::string& kind);
+  void AddMessage(const std::string& message, const std::string& kind);
 
   int TrailSteps = 0;
   bool Velocities = false;
@@ -99,7 +99,7 @@ private:
   std::vector<double> Earlier; // times before the one shown, the last first
   std::vector<double> Missing; // the last is requested
   bool Returns = false;        // the time shown is requested again
-  std::set<std::string> Said;
+  std::set<std::string> Reported;
   std::string Message;
 };
 

@@ -1,6 +1,6 @@
 /**
- * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own. They
- * begin as the input's arrays never should, so that none of the same name is lost.
+ * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own, and
+ * differ from these by their prefix.
  */
 #ifndef RayTracedArrays_h
 #define RayTracedArrays_h
@@ -54,7 +54,7 @@ constexpr vtkTypeInt64 EncodeCellId(vtkTypeInt64 id)
 {
   return id + CellIdOffset;
 }
-/// Of the point, or of the cell.
+/// The id of the point, or of the cell.
 constexpr vtkTypeInt64 InputId(vtkTypeInt64 id)
 {
   return IsCellId(id) ? id - CellIdOffset : id;

@@ -26,7 +26,7 @@ namespace
 using Attributes = rtglyphs::RayTracedBlocks::Attributes;
 using Block = rtglyphs::RayTracedBlocks::Block;
 
-// Of joined points those of each block, of a joined array those that lack it.
+// Information of joined points: the range of each block. Of a joined array: the ranges of blocks without it.
 class Ranges : public vtkObject
 {
 public:
@@ -199,7 +199,7 @@ void rtglyphs::RayTracedBlocks::Update(
   }
   if (!joined)
   {
-    this->Points = nullptr;
+    this->PolyData = nullptr;
     this->Joined = data;
     this->JoinedTime = data ? data->GetMTime() : 0;
     if (data)
@@ -210,14 +210,14 @@ void rtglyphs::RayTracedBlocks::Update(
 }
 
 //----------------------------------------------------------------------------
-const rtglyphs::RayTracedRanges& rtglyphs::RayTracedBlocks::Lacking(vtkDataArray* joined)
+const rtglyphs::RayTracedRanges& rtglyphs::RayTracedBlocks::MissingTuples(vtkDataArray* joined)
 {
   static const rtglyphs::RayTracedRanges none;
   return joined && joined->HasInformation() ? Ranges::Get(joined->GetInformation()) : none;
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedBlocks::IsElsewhere(vtkPolyData* points, const std::string& array)
+bool rtglyphs::RayTracedBlocks::IsOnOtherRanks(vtkPolyData* points, const std::string& array)
 {
   auto* names =
     vtkStringArray::SafeDownCast(points->GetFieldData()->GetAbstractArray(rtglyphs::RayTracedArrays::PartialArrays));
@@ -225,24 +225,24 @@ bool rtglyphs::RayTracedBlocks::IsElsewhere(vtkPolyData* points, const std::stri
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedBlocks::ReportLacking(vtkPolyData* points, const std::string& array,
+void rtglyphs::RayTracedBlocks::ReportMissing(vtkPolyData* points, const std::string& array,
   const rtglyphs::RayTracedRanges& hidden, const char* property, const char* consequence,
   std::vector<std::string>& messages)
 {
   vtkDataArray* ofPoints = points->GetPointData()->GetArray(array.c_str());
   vtkDataArray* ofCells = ofPoints ? nullptr : points->GetCellData()->GetArray(array.c_str());
-  const bool elsewhere = !ofPoints && !ofCells && IsElsewhere(points, array);
-  rtglyphs::RayTracedRanges lacking =
-    elsewhere ? Ranges::Get(points->GetInformation()) : Lacking(ofCells ? ofCells : ofPoints);
-  if (elsewhere && lacking.empty())
+  const bool onOtherRanks = !ofPoints && !ofCells && IsOnOtherRanks(points, array);
+  rtglyphs::RayTracedRanges missing =
+    onOtherRanks ? Ranges::Get(points->GetInformation()) : MissingTuples(ofCells ? ofCells : ofPoints);
+  if (onOtherRanks && missing.empty())
   {
-    lacking.push_back({ 0, points->GetNumberOfPoints(), std::string() });
+    missing.push_back({ 0, points->GetNumberOfPoints(), std::string() });
   }
   constexpr int most = 3; // that are named
   std::string names;
   int blocks = 0;
   vtkIdType count = 0;
-  for (const rtglyphs::RayTracedRange& range : lacking)
+  for (const rtglyphs::RayTracedRange& range : missing)
   {
     const bool isHidden =
       std::any_of(hidden.begin(), hidden.end(), [&](const auto& other) { return other.Block == range.Block; });
@@ -276,10 +276,10 @@ void rtglyphs::RayTracedBlocks::ReportLacking(vtkPolyData* points, const std::st
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedBlocks::Join()
 {
-  this->Points = vtkSmartPointer<vtkPolyData>::New();
+  this->PolyData = vtkSmartPointer<vtkPolyData>::New();
   if (this->Blocks.size() == 1 && this->Blocks.front().FlatIndex == 0)
   {
-    this->Points->ShallowCopy(this->Blocks.front().Data);
+    this->PolyData->ShallowCopy(this->Blocks.front().Data);
     return;
   }
   this->JoinPoints();
@@ -293,10 +293,10 @@ void rtglyphs::RayTracedBlocks::Join()
     if (vtkAbstractArray* partial =
           block.Data->GetFieldData()->GetAbstractArray(rtglyphs::RayTracedArrays::PartialArrays))
     {
-      this->Points->GetFieldData()->AddArray(partial);
+      this->PolyData->GetFieldData()->AddArray(partial);
     }
   }
-  Ranges::Set(this->Points->GetInformation(), std::move(ranges));
+  Ranges::Set(this->PolyData->GetInformation(), std::move(ranges));
   this->JoinCells(
     "lines", [](vtkPolyData* data) { return data->GetLines(); },
     [](vtkPolyData* data, vtkCellArray* cells) { data->SetLines(cells); });
@@ -305,7 +305,7 @@ void rtglyphs::RayTracedBlocks::Join()
     [](vtkPolyData* data, vtkCellArray* cells) { data->SetPolys(cells); });
   this->UsedArrays.clear();
   this->JoinArrays(false);
-  if (this->Points->GetNumberOfCells() > 0)
+  if (this->PolyData->GetNumberOfCells() > 0)
   {
     this->JoinArrays(true);
   }
@@ -340,7 +340,7 @@ void rtglyphs::RayTracedBlocks::JoinPoints()
     }
     this->Places = { std::move(times), joined };
   }
-  this->Points->SetPoints(this->Places.second);
+  this->PolyData->SetPoints(this->Places.second);
 }
 
 //----------------------------------------------------------------------------
@@ -366,7 +366,7 @@ void rtglyphs::RayTracedBlocks::JoinCells(
   }
   if (count > 0)
   {
-    set(this->Points, joined);
+    set(this->PolyData, joined);
   }
 }
 
@@ -389,7 +389,7 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
   {
     return;
   }
-  vtkDataSetAttributes* out = AttributesOf(this->Points, cells);
+  vtkDataSetAttributes* out = AttributesOf(this->PolyData, cells);
   const auto keep = [&](const std::string& name, Times times, const auto& make)
   {
     const std::pair<bool, std::string> key(cells, name);
@@ -399,7 +399,7 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
     used = { std::move(times), same ? known->second.second : make() };
     out->AddArray(used.second);
   };
-  const vtkIdType count = countOf(this->Points);
+  const vtkIdType count = countOf(this->PolyData);
   for (const auto& [name, alike] : FindArrays(sets))
   {
     Times times;
@@ -412,7 +412,7 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
       [&, &alike = alike]
       {
         vtkSmartPointer<vtkDataArray> joined = NewArray(alike, count);
-        rtglyphs::RayTracedRanges lacking;
+        rtglyphs::RayTracedRanges missing;
         for (std::size_t i = 0; i < blocks.size(); ++i)
         {
           const vtkIdType first = cells ? blocks[i]->FirstCell : blocks[i]->FirstPoint;
@@ -423,12 +423,12 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
           }
           else
           {
-            lacking.push_back({ first, first + tuples, blocks[i]->Name });
+            missing.push_back({ first, first + tuples, blocks[i]->Name });
           }
         }
-        if (!lacking.empty())
+        if (!missing.empty())
         {
-          Ranges::Set(joined->GetInformation(), std::move(lacking));
+          Ranges::Set(joined->GetInformation(), std::move(missing));
         }
         return joined;
       });

@@ -5,7 +5,7 @@
  * vtkGeometryRepresentation fills the attributes of a tree's nodes; a block has those of the nearest node above it that
  * has some, as with vtkCompositePolyDataMapper.
  *
- * GetPoints() puts the blocks together, one after the other. Arrays that some block lacks are zero there, and know
+ * GetPolyData() puts the blocks together, one after the other. Arrays that some block lacks are zero there, and know
  * where that is. As long as an array of all blocks stays the same, so does theirs.
  */
 #ifndef RayTracedBlocks_h
@@ -68,7 +68,7 @@ public:
     vtkSmartPointer<vtkPolyData> Data;
     unsigned int FlatIndex = 0; // in the input
     std::string Name;
-    vtkIdType FirstPoint = 0, FirstCell = 0; // of GetPoints()
+    vtkIdType FirstPoint = 0, FirstCell = 0; // of GetPolyData()
   };
 
   /**
@@ -79,24 +79,24 @@ public:
   std::uint64_t GetVersion() const { return this->Version; }
 
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
-  vtkPolyData* GetPoints() const { return this->Points; }           // null: without data
+  vtkPolyData* GetPolyData() const { return this->PolyData; }       // null: without data
   const RayTracedRanges& GetHidden() const { return this->Hidden; } // points of blocks that are not visible
 
   /**
-   * The tuples of one of GetPoints()' arrays (may be null) that belong to blocks without it.
+   * The tuples of one of GetPolyData()'s arrays (may be null) that belong to blocks without it.
    */
-  static const RayTracedRanges& Lacking(vtkDataArray* joined);
+  static const RayTracedRanges& MissingTuples(vtkDataArray* joined);
 
   /**
-   * Whether GetPoints(), or a block, lack an array that other ranks have.
+   * Whether GetPolyData(), or a block, lack an array that other ranks have.
    */
-  static bool IsElsewhere(vtkPolyData* points, const std::string& array);
+  static bool IsOnOtherRanks(vtkPolyData* points, const std::string& array);
 
   /**
    * Says of which points that are not hidden the blocks lack a point array that others, or other ranks, have:
    * `consequence` completes 'its 120 points'. Of one array it speaks once.
    */
-  static void ReportLacking(vtkPolyData* points, const std::string& array, const RayTracedRanges& hidden,
+  static void ReportMissing(vtkPolyData* points, const std::string& array, const RayTracedRanges& hidden,
     const char* property, const char* consequence, std::vector<std::string>& messages);
 
 private:
@@ -115,7 +115,7 @@ private:
   vtkMTimeType AttributesTime = 0;
   vtkDataObject* Joined = nullptr; // only to be compared
   vtkMTimeType JoinedTime = 0;
-  vtkSmartPointer<vtkPolyData> Points;
+  vtkSmartPointer<vtkPolyData> PolyData;
   Memo Arrays, UsedArrays;
   std::map<std::string, std::pair<Times, vtkSmartPointer<vtkCellArray>>> Cells;
   std::pair<Times, vtkSmartPointer<vtkPoints>> Places;

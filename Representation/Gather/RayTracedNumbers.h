@@ -52,12 +52,12 @@ namespace rtglyphs
  * An enumerator from `First`, the default, to `Last`: of a number out of this range the nearest.
  */
 template <class Enumeration, Enumeration First, Enumeration Last>
-class RayTracedChoice
+class RayTracedEnum
 {
 public:
-  RayTracedChoice() = default;
+  RayTracedEnum() = default;
   template <class Number>
-  RayTracedChoice& operator=(Number number)
+  RayTracedEnum& operator=(Number number)
   {
     const int value = std::clamp(static_cast<int>(number), static_cast<int>(First), static_cast<int>(Last));
     this->Value = static_cast<Enumeration>(value);

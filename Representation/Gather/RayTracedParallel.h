@@ -1,5 +1,5 @@
 /**
- * Loops over points, cells or bytes on all cores.
+ * Loops over points or cells on all cores.
  *
  * Work is cut into chunks of a fixed length. What is put together chunk by chunk, in their order, is the same for any
  * number of threads. Memory is allocated before the loop.

@@ -77,11 +77,9 @@ void RenameIds(vtkPolyData* surface)
     rename(surface->GetCellData(), "vtkOriginalCellIds", rtglyphs::RayTracedArrays::CellIds);
   }
 }
-}
 
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-rtglyphs::RayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& settings)
+// Triangles with their points and arrays.
+vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* polygons, bool computesNormals)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassVertsOff();
@@ -89,10 +87,10 @@ rtglyphs::RayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Set
   triangles->SetInputData(polygons);
   triangles->Update();
   vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
-  if (settings.ComputesNormals && !surface->GetPointData()->GetNormals() && surface->GetNumberOfPolys() > 0)
+  if (computesNormals && !surface->GetPointData()->GetNormals() && surface->GetNumberOfPolys() > 0)
   {
     vtkNew<vtkPolyDataNormals> normals;
-    normals->SetFeatureAngle(settings.FeatureAngle);
+    normals->SetFeatureAngle(30.0);
     normals->SetInputData(surface);
     normals->Update();
     surface = normals->GetOutput();
@@ -100,8 +98,8 @@ rtglyphs::RayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Set
   return surface;
 }
 
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::ExtractLines(vtkPolyData* data)
+// Lines with their points and arrays.
+vtkSmartPointer<vtkPolyData> ExtractLines(vtkPolyData* data)
 {
   auto lines = vtkSmartPointer<vtkPolyData>::New();
   if (data->GetNumberOfCells() == data->GetNumberOfLines() || data->GetNumberOfLines() == 0)
@@ -146,6 +144,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::ExtractLines(vt
   lines->GetCellData()->CopyData(data->GetCellData(), cells);
   return lines;
 }
+}
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::Gather(vtkDataObject* data, const Settings& settings)
@@ -155,7 +154,8 @@ vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::Gather(vtkDataO
   {
     return vtkSmartPointer<vtkPolyData>::New();
   }
-  vtkSmartPointer<vtkPolyData> surface = settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings);
+  vtkSmartPointer<vtkPolyData> surface =
+    settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings.ComputesNormals);
   RenameIds(surface);
   surface->GetFieldData()->PassData(data->GetFieldData());
   if (rtglyphs::RayTracedRanks::Count() > 1)

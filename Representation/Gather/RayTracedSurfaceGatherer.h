@@ -26,25 +26,14 @@ public:
   {
     /// Lines instead of triangles; where there are none, points alone.
     bool Lines = false;
-    /// Points without normals get some; edges sharper than this angle, in degrees, stay sharp.
+    /// Points without normals get some; edges sharper than 30 degrees stay sharp.
     bool ComputesNormals = true;
-    double FeatureAngle = 30.0;
     /// How often faces of nonlinear cells are divided into four, or their edges in two; 0: not at all.
     int NonlinearSubdivisionLevel = 1;
     /// That of the structured data set of which the input is this process's piece; null when there is none.
     const int* WholeExtent = nullptr;
   };
   static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Settings& settings);
-
-  /**
-   * Triangles of one poly data, with normals as the settings say; arrays are kept.
-   */
-  static vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* polygons, const Settings& settings);
-
-  /**
-   * Lines of one poly data with their points and arrays.
-   */
-  static vtkSmartPointer<vtkPolyData> ExtractLines(vtkPolyData* data);
 };
 
 } // namespace rtglyphs

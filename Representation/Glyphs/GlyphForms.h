@@ -39,7 +39,7 @@ public:
     int Kind = HARMONICS;
     std::string Array;                    // empty or "None": none
     int Layout = GlyphTensors::VTK_ORDER; // of tensors of second order
-    RayTracedChoice<rtg::HarmonicsBasis, rtg::HarmonicsBasis::MRtrix3, rtg::HarmonicsBasis::Orthonormal> Basis;
+    RayTracedEnum<rtg::HarmonicsBasis, rtg::HarmonicsBasis::MRtrix3, rtg::HarmonicsBasis::Orthonormal> Basis;
     int Coloring = 0; // GlyphTensors::SIGN or RADIUS count
 
     bool operator==(const Settings&) const = default;

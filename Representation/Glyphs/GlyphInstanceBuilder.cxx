@@ -18,7 +18,8 @@ namespace
 using Settings = rtglyphs::GlyphSettings;
 using namespace rtglyphs::GlyphOutcomes;
 
-// Keeps the glyphs of points, of several points at the same time. Of what is the same for all one is kept.
+// Stores the glyphs of points; threads may store several at the same time. Values that all glyphs share are stored
+// once.
 class Assembly
 {
 public:
@@ -34,7 +35,7 @@ public:
   {
   }
 
-  // Glyphs of the candidates, in their order; how many points had which outcome.
+  // Adds glyphs of the candidates, in their order; returns how many points had which outcome.
   Counts AddAll(std::vector<vtkIdType> candidates, const rtglyphs::RayTracedParallel::Progress& progress)
   {
     this->Instances.origin = this->Maker.MiddleOf(candidates);
@@ -117,7 +118,7 @@ private:
     }
     if (!this->Motion.IsFinite(point))
     {
-      return this->How.IsAroundVectors() ? NOT_SHOWN : MOTION; // as above
+      return this->How.IsAroundVectors() ? NOT_SHOWN : MOTION; // the vectors' messages name it
     }
     const glm::vec3 center(glyph.Center), low(glyph.Center - glm::dvec3(center));
     if (std::max({ std::abs(low.x), std::abs(low.y), std::abs(low.z) }) > 1e-6 * glyph.Smallest())
@@ -246,7 +247,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   {
     return result;
   }
-  rtglyphs::GlyphArrays::ReportLacking(points, settings, hidden, result.Messages);
+  rtglyphs::GlyphArrays::ReportMissing(points, settings, hidden, result.Messages);
   const rtglyphs::GlyphSizes sizes(points, settings, candidates);
   if (const std::string& problem = sizes.GetProblem(); !problem.empty())
   {
@@ -257,7 +258,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
     {
       result.MissingInput = problem;
     }
-    else if (!rtglyphs::RayTracedBlocks::IsElsewhere(points, array))
+    else if (!rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, array))
     {
       result.Messages.push_back(problem);
     }
@@ -295,7 +296,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   }
   if (settings.HasTable() && settings.TableEntry > 0)
   {
-    result.Messages.clear(); // what is not about single points the first entry has said
+    result.Messages.clear(); // the first entry has reported what is not about single points
   }
   result.Skipped += Describe(outcomes, settings, candidatesCount, result.Messages);
   return result;

@@ -59,8 +59,8 @@ std::uint64_t Spread(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249ull;
 }
 
-// Gives each sample the smallest box that it lies in, numbered so that larger boxes are leading bits; what is not
-// finite lies in the first.
+// Gives each sample the smallest box that it lies in, numbered so that larger boxes are leading bits. Positions that
+// are not finite are in the first box.
 void FindBoxes(std::vector<Sample>& samples, vtkDataArray* positions)
 {
   const auto count = static_cast<vtkIdType>(samples.size());

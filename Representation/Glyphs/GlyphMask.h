@@ -23,7 +23,7 @@ struct GlyphMask
     EVEN_IN_SPACE = 2
   };
   bool On = false;
-  RayTracedChoice<Modes, RANDOM, EVEN_IN_SPACE> Mode;
+  RayTracedEnum<Modes, RANDOM, EVEN_IN_SPACE> Mode;
   vtkIdType MaximumNumberOfGlyphs = 5000; // of RANDOM and EVEN_IN_SPACE
   int Stride = 10;                        // of EVERY_NTH
   // Of all ranks together, where each has some of the points: it has that fraction of MaximumNumberOfGlyphs. Not more

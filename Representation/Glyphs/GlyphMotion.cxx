@@ -104,21 +104,21 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     this->Found[kind] = rtglyphs::GlyphArrays::Find(points, NameOf(settings, kind), kinds[kind].Property,
       kinds[kind].Lengths, "motion blur goes without", &this->Messages_);
   }
-  if (!this->Found[MASK] && rtglyphs::RayTracedBlocks::IsElsewhere(points, settings.Mask))
+  if (!this->Found[MASK] && rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, settings.Mask))
   {
     this->Found = {};
   }
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& settings,
+void rtglyphs::GlyphMotion::ReportMissing(vtkPolyData* points, const Settings& settings,
   const rtglyphs::RayTracedRanges& hidden, std::vector<std::string>& messages)
 {
   for (int kind = 0; kind < KINDS; ++kind)
   {
     if (settings.On && IsNamed(settings, kind))
     {
-      rtglyphs::RayTracedBlocks::ReportLacking(
+      rtglyphs::RayTracedBlocks::ReportMissing(
         points, NameOf(settings, kind), hidden, kinds[kind].Property, "do not move", messages);
     }
   }

@@ -63,9 +63,9 @@ public:
   GlyphMotion(vtkPolyData* points, const Settings& settings);
 
   /**
-   * Reports which blocks lack one of the arrays (RayTracedBlocks::ReportLacking).
+   * Reports which blocks lack one of the arrays (RayTracedBlocks::ReportMissing).
    */
-  static void ReportLacking(
+  static void ReportMissing(
     vtkPolyData* points, const Settings& settings, const RayTracedRanges& hidden, std::vector<std::string>& messages);
 
   const std::vector<std::string>& Messages() const { return this->Messages_; }

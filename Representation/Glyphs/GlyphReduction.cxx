@@ -66,7 +66,7 @@ class Reducer
 {
 public:
   Reducer(const rtglyphs::RayTracedBlocks& blocks, const Settings& settings, double cell)
-    : Joined(blocks.GetPoints())
+    : Joined(blocks.GetPolyData())
     , How(settings)
     , Left(rtglyphs::GlyphReduction::SettingsFor(settings))
     , Cell(cell)
@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  // Of each cell of the grid, and of each point with a large glyph.
+  // Sums over each cell of the grid, and of each point with a large glyph.
   struct Sums
   {
     enum Values
@@ -371,7 +371,7 @@ vtkDataObject* rtglyphs::GlyphReduction::Get(
   vtkDataObject* tree, const rtglyphs::RayTracedBlocks& blocks, const Settings& settings, double cell)
 {
   this->Known.Update(
-    { rtglyphs::GlyphArrays::KeyOf(blocks.GetPoints(), { settings }, blocks.GetHidden()), blocks.GetVersion(), cell },
+    { rtglyphs::GlyphArrays::KeyOf(blocks.GetPolyData(), { settings }, blocks.GetHidden()), blocks.GetVersion(), cell },
     [&]
     {
       const Reducer reduce(blocks, settings, cell);
@@ -387,7 +387,7 @@ vtkDataObject* rtglyphs::GlyphReduction::Get(
           left += made->GetNumberOfPoints();
           return made;
         });
-      if (static_cast<double>(left) > fewer * static_cast<double>(blocks.GetPoints()->GetNumberOfPoints()))
+      if (static_cast<double>(left) > fewer * static_cast<double>(blocks.GetPolyData()->GetNumberOfPoints()))
       {
         this->Reduced = nullptr;
       }

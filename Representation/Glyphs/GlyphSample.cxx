@@ -12,7 +12,7 @@
 
 namespace
 {
-// Those of one axis of positions.
+// Coordinates along one axis.
 std::vector<double> Along(int axis, const std::vector<double>& positions)
 {
   std::vector<double> values;
@@ -67,7 +67,7 @@ rtglyphs::GlyphSample::Points::Points(
 {
   if (scaling.Mask.On || !hidden.empty())
   {
-    this->Take(rtglyphs::GlyphArrays::Candidates(points, scaling, hidden));
+    this->SetChosen(rtglyphs::GlyphArrays::Candidates(points, scaling, hidden));
     return;
   }
   std::vector<double> count{ this->CountOfAll };
@@ -76,7 +76,7 @@ rtglyphs::GlyphSample::Points::Points(
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphSample::Points::Take(std::vector<vtkIdType> chosen)
+void rtglyphs::GlyphSample::Points::SetChosen(std::vector<vtkIdType> chosen)
 {
   this->Chosen = std::move(chosen);
   this->Thinned = true;

@@ -20,7 +20,7 @@ class vtkPolyData;
 namespace rtglyphs::GlyphSample
 {
 /**
- * Of at least one value.
+ * The value below which that fraction of the values lies; there is at least one.
  */
 constexpr double typicalQuantile = 0.95;
 double Quantile(std::vector<double> values, double fraction);
@@ -50,7 +50,7 @@ public:
     {
       point = (*this)[point];
     }
-    this->Take(std::move(kept));
+    this->SetChosen(std::move(kept));
   }
 
   /**
@@ -84,7 +84,7 @@ public:
   std::vector<double> SampledPositions(double wanted) const;
 
 private:
-  void Take(std::vector<vtkIdType> chosen);
+  void SetChosen(std::vector<vtkIdType> chosen);
 
   vtkDataArray* Positions;
   bool Thinned;

@@ -78,7 +78,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
   settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
   settings.Opacity = none.Opacity;
   settings.TrailFading = none.TrailFading;
-  // Of polynomials each point of the surface has a direction.
+  // Each point of a polynomial's surface has its own direction.
   settings.DirectionColoring = settings.Forms.On ? settings.DirectionColoring : none.DirectionColoring;
   return settings;
 }
@@ -205,50 +205,48 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::In(const GlyphLayer& layer) con
   s.Opacity = layer.Opacity;
   s.Tensors.On = layer.Frame >= GlyphFrame::Tensor;
   s.Tensors.Axes = layer.Frame == GlyphFrame::Axis;
-  const bool vectors = s.IsOfVectors() || s.IsAroundVectors();
-  if (vectors)
-  {
-    s.Orient = true;
-    s.OrientationMode = DIRECTION;
-    s.Scaling = s.IsOfVectors();
-    s.ScaleMode = MAGNITUDE;
-    s.ScaleArray = s.OrientationArray;
-  }
-  if (vectors || layer.Frame == GlyphFrame::Cross)
-  {
-    s.Motion.AngularVelocity.clear();
-  }
-  if (vectors || s.Tensors.Axes)
-  {
-    s.Anchor = ORIGIN;
-    s.RadiusArray.clear();
-  }
   s.Tensors.Covariances = layer.Frame == GlyphFrame::Covariance || s.IsAroundVectors();
-  if (s.IsAroundVectors())
+  switch (layer.Frame)
   {
-    s.Tensors.Coloring = GlyphTensors::NONE;
-  }
-  if (vectors || s.Tensors.Covariances)
-  {
-    s.Sizing = {};
-  }
-  if (layer.Frame == GlyphFrame::Split)
-  {
-    s.ArrowReference = 0.0;
-  }
-  if (layer.Frame == GlyphFrame::Cross || s.Tensors.Axes)
-  {
-    s.ScaleFactor = std::abs(s.ScaleFactor);
-    s.Arrow.fixedHeads = false;
-  }
-  if (s.Tensors.Axes)
-  {
-    s.Scaling &= s.ScaleMode != COMPONENTS;
-    // Thin, so as to hide little, and of constant proportions: short ones are small.
-    s.Arrow.shaftRadius = 0.015f;
-    s.Arrow.tipRadius = 0.05f;
-    s.Arrow.tipLength = 0.15f;
-    s.Arrow.tipRounding = 0.0f;
+    case GlyphFrame::Arrays:
+    case GlyphFrame::Tensor:
+      break;
+    case GlyphFrame::Covariance:
+      s.Sizing = {};
+      break;
+    case GlyphFrame::Vector:
+    case GlyphFrame::Split:
+    case GlyphFrame::Tip:
+    case GlyphFrame::Cones:
+      s.Orient = true;
+      s.OrientationMode = DIRECTION;
+      s.Scaling = s.IsOfVectors();
+      s.ScaleMode = MAGNITUDE;
+      s.ScaleArray = s.OrientationArray;
+      s.ArrowReference = layer.Frame == GlyphFrame::Split ? 0.0 : s.ArrowReference;
+      s.Sizing = {};
+      s.Anchor = ORIGIN;
+      s.RadiusArray.clear();
+      s.Motion.AngularVelocity.clear();
+      s.Tensors.Coloring = s.IsAroundVectors() ? GlyphTensors::NONE : s.Tensors.Coloring;
+      break;
+    case GlyphFrame::Cross:
+      s.ScaleFactor = std::abs(s.ScaleFactor);
+      s.Arrow.fixedHeads = false;
+      s.Motion.AngularVelocity.clear();
+      break;
+    case GlyphFrame::Axis:
+      s.ScaleFactor = std::abs(s.ScaleFactor);
+      s.Scaling &= s.ScaleMode != COMPONENTS;
+      s.Anchor = ORIGIN;
+      s.RadiusArray.clear();
+      // Thin, so as to hide little, and of constant proportions: short ones are small.
+      s.Arrow.shaftRadius = 0.015f;
+      s.Arrow.tipRadius = 0.05f;
+      s.Arrow.tipLength = 0.15f;
+      s.Arrow.tipRounding = 0.0f;
+      s.Arrow.fixedHeads = false;
+      break;
   }
   return s;
 }

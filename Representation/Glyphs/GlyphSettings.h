@@ -69,7 +69,7 @@ struct GlyphScaling
   GlyphFrame Frame = GlyphFrame::Arrays;
   bool Scaling = false;
   std::string ScaleArray; // empty or "None": none
-  RayTracedChoice<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
+  RayTracedEnum<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
   GlyphSizing Sizing;             // of magnitudes of the scale array, and of eigenvalues
   GlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
   GlyphForms::Settings Forms;     // on: polynomials are the glyphs' shape and size
@@ -127,9 +127,9 @@ struct GlyphSettings : GlyphScaling
   std::string RadiusArray;    // across the glyph's x axis, instead of the scale; empty or "None": none
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
-  RayTracedChoice<OrientationModes, DIRECTION, QUATERNION> OrientationMode;
-  RayTracedChoice<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
-  rtg::ArrowForm Arrow;                         // its unit length is computed
+  RayTracedEnum<OrientationModes, DIRECTION, QUATERNION> OrientationMode;
+  RayTracedEnum<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
+  rtg::ArrowForm Arrow;                       // its unit length is computed
   double ArrowReference =
     0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: ScalePercentile's
   double ScalePercentile = 0.0;                  // 95th percentile of the scales of all ranks' glyphs
@@ -141,7 +141,7 @@ struct GlyphSettings : GlyphScaling
   std::string ExponentArray;                     // overrides them; empty or "None": none
   std::string OpacityArray;                      // empty or "None": none
   // What directions color, whatever else would; of tensors and polynomials, whose axes have no sign, at most AXES.
-  RayTracedChoice<DirectionColors::Kinds, DirectionColors::NONE, DirectionColors::SPHERE> DirectionColoring;
+  RayTracedEnum<DirectionColors::Kinds, DirectionColors::NONE, DirectionColors::SPHERE> DirectionColoring;
   GlyphMotion::Settings Motion; // on: the glyphs move while the shutter is open
   int TrailSteps = 0; // > 0: of the glyphs, the trails over so many earlier steps (GlyphTrails), or bounds with these
   bool TrailJoined = false; // inside them there is no surface, as translucent ones show

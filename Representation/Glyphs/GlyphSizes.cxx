@@ -22,7 +22,7 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
   , ByComponents(scaling.ScaleMode == rtglyphs::GlyphScaling::COMPONENTS && this->ScaleArray &&
       this->ScaleArray->GetNumberOfComponents() > 1) // one is a magnitude
   , RankLacksScales(scaling.Scaling && !rtglyphs::RayTracedArrays::IsNone(scaling.ScaleArray) &&
-      rtglyphs::RayTracedBlocks::IsElsewhere(points, scaling.ScaleArray) &&
+      rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, scaling.ScaleArray) &&
       !points->GetPointData()->HasArray(scaling.ScaleArray.c_str()))
 {
   if (scaling.Tensors.On)
@@ -32,7 +32,7 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
     if (this->Problem.empty())
     {
       this->Tensors = std::make_unique<rtglyphs::GlyphTensors>(array, scaling.Tensors, chosen);
-      this->LackingTensors = rtglyphs::RayTracedBlocks::Lacking(array);
+      this->MissingTensors = rtglyphs::RayTracedBlocks::MissingTuples(array);
     }
   }
   if (scaling.IsOfVectors())
@@ -174,7 +174,7 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
       return zero ? ZERO_POLYNOMIAL : POLYNOMIAL;
     }
     glyph.Radius = static_cast<float>(extent.bound);
-    // Of the unit glyph, which is a little less than the largest that is possible
+    // The unit glyph is a little smaller than the largest that is possible
     glyph.Size *= this->Settings.Sizing(extent.radius) * (extent.bound / extent.radius);
   }
   this->Finish(point, tuples, glyph.Size);

@@ -45,7 +45,7 @@ public:
   bool Lacks(vtkIdType point, Tuples& tuples) const
   {
     return this->RankLacksScales || (tuples.Scales && !tuples.Scales.Has(point)) ||
-      (tuples.Forms && !tuples.Forms.Has(point)) || this->LackingTensors.Has(point);
+      (tuples.Forms && !tuples.Forms.Has(point)) || this->MissingTensors.Has(point);
   }
   bool HasScales() const { return this->ScaleArray != nullptr; }
   bool ScalesByComponents() const { return this->ByComponents; }
@@ -60,19 +60,20 @@ public:
   ///@}
 
   /**
-   * By the scale array along the glyph's axes, with its signs.
+   * Factors along the glyph's axes by the scale array, with its signs.
    */
   glm::dvec3 Scale(vtkIdType point, Tuples& tuples) const;
 
   /**
-   * By everything, along the longest axis; 0: the point has no glyph. No less than the exact one, and hardly more.
+   * Factor along the longest axis by everything; 0: the point has no glyph. It is no less than the exact one, and
+   * hardly more.
    */
   double Magnitude(vtkIdType point, Tuples& tuples) const;
 
 protected:
   /**
-   * By everything along each axis, bounded from above. `form` is that of the polynomial, if there is one; its `bound`
-   * takes no part.
+   * Upper bounds of the factors along each axis by everything. `form` is that of the polynomial, if there is one; its
+   * `bound` takes no part.
    */
   glm::dvec3 Bound(vtkIdType point, Tuples& tuples, rtg::FormExtent& form) const;
 
@@ -81,7 +82,7 @@ private:
   vtkDataArray *ScaleArray, *FormArray;
   const bool ByComponents, RankLacksScales;
   std::unique_ptr<const GlyphTensors> Tensors;
-  RayTracedRanges LackingTensors;
+  RayTracedRanges MissingTensors;
   std::unique_ptr<const GlyphForms> Forms;
   std::string Problem;
 };

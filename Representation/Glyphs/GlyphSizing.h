@@ -47,7 +47,7 @@ struct GlyphSizing
     LOGARITHM = 3, // log10(1 + magnitude)
     UNIT = 4       // 1 for every magnitude
   };
-  RayTracedChoice<Functions, LINEAR, UNIT> Function;
+  RayTracedEnum<Functions, LINEAR, UNIT> Function;
   double Least = 0.0; // of a glyph's longest extent, in world units; 0: none
   double Most = 0.0;  // the same
 

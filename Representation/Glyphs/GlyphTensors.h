@@ -89,7 +89,7 @@ public:
   {
     bool On = false;   // whether the glyphs show tensors at all
     std::string Array; // empty or "None": none
-    RayTracedChoice<TensorLayouts, VTK_ORDER, VOIGT> Layout{};
+    RayTracedEnum<TensorLayouts, VTK_ORDER, VOIGT> Layout{};
     bool Covariances = false; // of Gaussians; their glyphs are the ellipsoids that hold a fraction of each
     double Confidence = 0.95; // that fraction
 
@@ -100,7 +100,7 @@ public:
   {
     rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
     double Sharpness = 3.0;
-    RayTracedChoice<Colorings, NONE, RADIUS> Coloring{};
+    RayTracedEnum<Colorings, NONE, RADIUS> Coloring{};
     ///@{
     // Where x^T D x is zero or more, and where it is less; with SIGN.
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };

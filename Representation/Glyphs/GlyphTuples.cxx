@@ -15,7 +15,7 @@ namespace
 {
 using Settings = rtglyphs::GlyphSettings;
 
-// Of the lengths of orientation tuples, the first that a mode takes.
+// Index of the first of the lengths of orientation tuples that a mode takes.
 int ModeFrom(int mode)
 {
   return mode == Settings::DIRECTION ? 0 : mode == Settings::ROTATION ? 1 : mode == Settings::QUATERNION ? 2 : 3;
@@ -88,7 +88,7 @@ vtkDataArray* rtglyphs::GlyphArrays::Find(vtkPolyData* points, const std::string
   vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
   const bool fits = array &&
     (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
-  if (!array && messages && !rtglyphs::RayTracedBlocks::IsElsewhere(points, name))
+  if (!array && messages && !rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, name))
   {
     messages->push_back("There is no point array '" + name + "', which " + property + " names; " + without +
       ". Choose one that exists, or None.");
@@ -134,11 +134,11 @@ std::string rtglyphs::GlyphArrays::Problem(const std::string& name, vtkDataArray
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::GlyphSettings& settings,
+void rtglyphs::GlyphArrays::ReportMissing(vtkPolyData* points, const rtglyphs::GlyphSettings& settings,
   const rtglyphs::RayTracedRanges& hidden, std::vector<std::string>& messages)
 {
   const auto report = [&](const std::string& name, const char* property, const char* consequence)
-  { rtglyphs::RayTracedBlocks::ReportLacking(points, name, hidden, property, consequence, messages); };
+  { rtglyphs::RayTracedBlocks::ReportMissing(points, name, hidden, property, consequence, messages); };
   // Arrays without which there is no glyph come first: of an array that has several uses one message speaks.
   const char* none = table[SCALE].OfBlock;
   if (settings.Tensors.On)
@@ -157,7 +157,7 @@ void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::G
       report(settings.*how.Name, how.Property, how.OfBlock);
     }
   }
-  rtglyphs::GlyphMotion::ReportLacking(points, settings.Motion, hidden, messages);
+  rtglyphs::GlyphMotion::ReportMissing(points, settings.Motion, hidden, messages);
 }
 
 //----------------------------------------------------------------------------

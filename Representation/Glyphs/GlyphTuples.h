@@ -34,13 +34,13 @@ public:
     : Array(array)
     , Float(vtkAOSDataArrayTemplate<float>::FastDownCast(array))
     , Double(vtkAOSDataArrayTemplate<double>::FastDownCast(array))
-    , Lacking(RayTracedBlocks::Lacking(array))
+    , Missing(RayTracedBlocks::MissingTuples(array))
     , Components(array ? array->GetNumberOfComponents() : 0)
   {
   }
   explicit operator bool() const { return this->Array != nullptr; }
   /// Without the array, and in blocks that lack it, a point has no tuple.
-  bool Has(vtkIdType i) const { return this->Array && !this->Lacking.Has(i); }
+  bool Has(vtkIdType i) const { return this->Array && !this->Missing.Has(i); }
   int Size() const { return this->Components; }
 
   const double* Get(vtkIdType i)
@@ -66,7 +66,7 @@ private:
   vtkDataArray* Array;
   vtkAOSDataArrayTemplate<float>* Float;
   vtkAOSDataArrayTemplate<double>* Double;
-  const RayTracedRanges& Lacking;
+  const RayTracedRanges& Missing;
   int Components;
   std::vector<double> Buffer;
 };
@@ -115,9 +115,9 @@ std::string Problem(const std::string& name, vtkDataArray* array, bool fits, con
   const std::string& property, const std::string& counts);
 
 /**
- * Reports which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
+ * Reports which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportMissing).
  */
-void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
+void ReportMissing(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
   std::vector<std::string>& messages);
 
 /**

@@ -23,18 +23,11 @@ constexpr double diameter = 0.12;       // of the view's shorter side
 }
 
 //----------------------------------------------------------------------------
-void vtkDirectionLegend::SetPlace(int place)
-{
-  this->On = place > 0;
-  this->Corner = std::clamp<int>(place - 1, LOWER_LEFT, UPPER_RIGHT);
-}
-
-//----------------------------------------------------------------------------
 bool vtkDirectionLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
 {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   vtkCamera* camera = renderer ? renderer->GetActiveCamera() : nullptr;
-  if (!this->On || this->Coloring == rtglyphs::DirectionColors::NONE || !camera)
+  if (this->Coloring == rtglyphs::DirectionColors::NONE || !camera)
   {
     return false;
   }

@@ -18,23 +18,17 @@ public:
   vtkTypeMacro(vtkDirectionLegend, vtkRayTracedLegend);
 
   /**
-   * 0: none, else its corner and 1. Default is the upper right one.
-   */
-  void SetPlace(int place);
-
-  /**
    * Of rtglyphs::DirectionColors; with NONE nothing is shown. Default is NONE.
    */
   void SetColoring(int kind) { this->Coloring = kind; }
 
 protected:
-  vtkDirectionLegend() { this->Corner = UPPER_RIGHT; }
+  vtkDirectionLegend() { this->Place = UPPER_RIGHT; }
   ~vtkDirectionLegend() override = default;
 
   bool Draw(vtkViewport* viewport, vtkBoundingBox& box) override;
 
 private:
-  bool On = true;
   int Coloring = rtglyphs::DirectionColors::NONE;
 };
 

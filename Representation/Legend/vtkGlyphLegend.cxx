@@ -69,13 +69,6 @@ void vtkGlyphLegend::SetGlyphs(const rtglyphs::GlyphSettings& settings, double s
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphLegend::SetStyle(const Style& style)
-{
-  this->Look = style;
-  this->Corner = style.Corner;
-}
-
-//----------------------------------------------------------------------------
 void vtkGlyphLegend::AddTo(vtkPVRenderView* view)
 {
   this->Superclass::AddTo(view);
@@ -215,17 +208,13 @@ double vtkGlyphLegend::ChooseNumber(double pixelsPerLength, double most) const
 //----------------------------------------------------------------------------
 bool vtkGlyphLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
 {
-  if (!this->Look.On)
-  {
-    return false;
-  }
   const int* view = viewport->GetSize();
   const double perLength = this->PixelsPerLength(viewport);
   const double shorter = std::min(view[0], view[1]);
   // All glyphs are alike where nothing scales them; the number is their size.
   const bool alike = this->Name.empty() || this->Settings.Sizing.Function == rtglyphs::GlyphSizing::UNIT;
-  const bool chosen = this->Look.Value > 0.0 && !alike;
-  const double number = alike ? 1.0 : chosen ? this->Look.Value : this->ChooseNumber(perLength, 0.2 * shorter);
+  const bool chosen = this->Value > 0.0 && !alike;
+  const double number = alike ? 1.0 : chosen ? this->Value : this->ChooseNumber(perLength, 0.2 * shorter);
   const double extent = std::abs(this->Extent(number)) * this->Scale;
   const double pixels = extent * perLength;
   if (!(pixels > 0.0) || !std::isfinite(pixels) || pixels > 1e6)

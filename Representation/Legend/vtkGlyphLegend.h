@@ -26,25 +26,17 @@ public:
   vtkTypeMacro(vtkGlyphLegend, vtkRayTracedLegend);
 
   /**
-   * The user's settings. Value: 0 for one that fits.
-   */
-  struct Style
-  {
-    bool On = false;
-    double Value = 0.0;
-    int Corner = LOWER_LEFT;
-
-    bool operator==(const Style&) const = default;
-  };
-
-  /**
    * The legend's subject: glyphs of these settings, `scale` times as large; name of the array that scales them, or
    * none; width and height of the mesh of mesh glyphs, for which the legend shows a rectangle; the largest magnitude of
    * the data (0: unknown), which a number that is chosen does not exceed.
    */
   void SetGlyphs(const rtglyphs::GlyphSettings& settings, double scale, const std::string& name,
     const std::array<double, 2>& mesh, double largest);
-  void SetStyle(const Style& style);
+
+  /**
+   * The number; 0: one that fits.
+   */
+  void SetValue(double value) { this->Value = value; }
 
   void AddTo(vtkPVRenderView* view) override;
   void RemoveFrom(vtkPVRenderView* view) override;
@@ -70,7 +62,7 @@ private:
   std::array<double, 2> Mesh{};
   double Largest = 0.0;
   std::string Name;
-  Style Look;
+  double Value = 0.0;
   vtkActor* Center = nullptr; // what ParaView shows at the center of rotation; lives as long as the view
 };
 

@@ -107,7 +107,7 @@ void vtkRayTracedLegend::RemoveFrom(vtkPVRenderView* view)
 //----------------------------------------------------------------------------
 void vtkRayTracedLegend::SetWords(const char* words)
 {
-  const bool top = this->Corner == UPPER_LEFT || this->Corner == UPPER_RIGHT;
+  const bool top = this->Place == UPPER_LEFT || this->Place == UPPER_RIGHT;
   const double* behind =
     top && this->Scene->GetGradientBackground() ? this->Scene->GetBackground2() : this->Scene->GetBackground();
   const double ink = 0.3 * behind[0] + 0.6 * behind[1] + 0.1 * behind[2] > 0.5 ? 0.0 : 1.0;
@@ -120,7 +120,7 @@ void vtkRayTracedLegend::SetWords(const char* words)
 void vtkRayTracedLegend::Arrange(vtkViewport* viewport)
 {
   vtkBoundingBox box;
-  this->Shows = this->Draw(viewport, box) && box.GetMaxLength() > 0.0;
+  this->Shows = this->IsOn() && this->Draw(viewport, box) && box.GetMaxLength() > 0.0;
   if (!this->Shows)
   {
     return;
@@ -138,8 +138,8 @@ void vtkRayTracedLegend::Arrange(vtkViewport* viewport)
   const glm::dvec2 words((extent[1] - extent[0] + 1) * tiles[0], (extent[3] - extent[2] + 1) * tiles[1]);
   const glm::dvec2 lower(box.GetBound(0), box.GetBound(2)), glyph(box.GetLength(0), box.GetLength(1));
   const double margin = 0.02 * std::min(view[0], view[1]), gap = 0.5 * margin;
-  const bool right = this->Corner == LOWER_RIGHT || this->Corner == UPPER_RIGHT;
-  const bool top = this->Corner == UPPER_LEFT || this->Corner == UPPER_RIGHT;
+  const bool right = this->Place == LOWER_RIGHT || this->Place == UPPER_RIGHT;
+  const bool top = this->Place == UPPER_LEFT || this->Place == UPPER_RIGHT;
   const glm::dvec2 size(std::max(words.x, glyph.x), words.y + gap + glyph.y);
   const glm::dvec2 corner(right ? view[0] - margin - size.x : margin, top ? view[1] - margin - size.y : margin);
   const glm::dvec2 place = this->FindPlace(vtkRenderer::SafeDownCast(viewport), { corner, corner + size }, margin);

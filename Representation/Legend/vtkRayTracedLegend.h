@@ -15,6 +15,7 @@
 #include "vtkTextActor.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 #include <vector>
@@ -30,13 +31,22 @@ public:
 
   using Box = std::array<glm::dvec2, 2>; // lower left and upper right, in pixels of the view
 
-  enum Corners
+  enum Places
   {
-    LOWER_LEFT = 0,
-    LOWER_RIGHT = 1,
-    UPPER_LEFT = 2,
-    UPPER_RIGHT = 3
+    NONE = 0,
+    LOWER_LEFT = 1,
+    LOWER_RIGHT = 2,
+    UPPER_LEFT = 3,
+    UPPER_RIGHT = 4
   };
+
+  ///@{
+  /**
+   * Corner of the view, or NONE, which is the default.
+   */
+  void SetPlace(int place) { this->Place = std::clamp<int>(place, NONE, UPPER_RIGHT); }
+  bool IsOn() const { return this->Place != NONE; }
+  ///@}
 
   ///@{
   /**
@@ -62,7 +72,7 @@ protected:
   virtual bool Draw(vtkViewport* viewport, vtkBoundingBox& box) = 0;
   void SetWords(const char* words);
 
-  int Corner = LOWER_LEFT;
+  int Place = NONE;
   vtkNew<vtkPolyData> Drawing;
   vtkNew<vtkActor2D> Actor;
 

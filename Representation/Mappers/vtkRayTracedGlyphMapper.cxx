@@ -23,60 +23,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <regex>
-#include <string_view>
 #include <utility>
 
 vtkStandardNewMacro(vtkRayTracedGlyphMapper);
 
 namespace
 {
-// Chunks of the bytes have hashes of their own, which are hashed in their order.
-template <typename Value>
-void Mix(std::size_t& sum, const Value* values, std::size_t count)
-{
-  const std::string_view bytes(reinterpret_cast<const char*>(values), count * sizeof(Value));
-  const auto size = static_cast<vtkIdType>(bytes.size());
-  std::vector<std::size_t> hashes(rtglyphs::RayTracedParallel::NumberOfChunks(size));
-  rtglyphs::RayTracedParallel::ForChunks(size,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      hashes[rtglyphs::RayTracedParallel::ChunkOf(begin)] =
-        std::hash<std::string_view>()(bytes.substr(begin, end - begin));
-    });
-  hashes.insert(hashes.end(), { sum, bytes.size() });
-  sum = std::hash<std::string_view>()(
-    { reinterpret_cast<const char*>(hashes.data()), hashes.size() * sizeof(hashes.front()) });
-}
-
-// Of everything in the instances: data that are read or computed again and come out the same are not sent again.
-std::size_t DigestOf(const rtg::GlyphInstances& instances)
-{
-  std::size_t sum = 0;
-  const rtg::ArrowForm& arrow = instances.arrow;
-  const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
-    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize, static_cast<float>(instances.shape),
-    static_cast<float>(instances.polynomialDegree), static_cast<float>(instances.surfaceColors) };
-  Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
-  Mix(sum, &instances.origin, 1);
-  Mix(sum, &instances.uniformExponents, 1);
-  if (const rtg::TriangleMesh* mesh = instances.mesh.get())
-  {
-    Mix(sum, mesh->positions.data(), mesh->positions.size());
-    Mix(sum, mesh->triangles.data(), mesh->triangles.size());
-    Mix(sum, mesh->normals.data(), mesh->normals.size());
-  }
-  const rtg::GlyphColors colors; // are compared by themselves
-  rtg::ForEachArray(instances, colors,
-    [&](std::size_t, std::uint32_t, const auto& values, const char*)
-    { Mix(sum, rtg::Flat(values).data(), rtg::Flat(values).size()); });
-  const float shutter[] = { instances.motion.shutterOpen, instances.motion.shutterClose };
-  Mix(sum, shutter, 2);
-  return sum;
-}
-
 // Messages that name the shells' array, with its property; the glyphs inside have the others.
 void KeepOfShells(const rtglyphs::GlyphSettings& settings, std::vector<std::string>& messages)
 {
@@ -151,18 +105,10 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
       points, this->BuiltSettings, this->Hidden, actor->GetMatrix(), this->BuildProgress);
   }
   this->Instances = std::move(result.Instances);
-  this->InstancesTaken = false;
   this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
   this->OriginalIds = std::move(result.Points);
   this->Radii = std::move(result.Radii);
-  ++this->OriginalIdsVersion;
   this->Skipped = result.Skipped;
-  const std::size_t digest = DigestOf(this->Instances);
-  if (this->InstanceVersion == 0 || this->Digest != digest)
-  {
-    this->Digest = digest;
-    this->InstanceVersion = NewVersion();
-  }
   if (this->Settings.Shell)
   {
     KeepOfShells(this->Settings, result.Messages);
@@ -172,17 +118,6 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   {
     this->ReportInstances(std::move(result.Messages), result.MissingInput);
   }
-}
-
-//----------------------------------------------------------------------------
-rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
-{
-  if (this->InstancesTaken && this->GetPoints())
-  {
-    this->BuildInstances(this->GetPoints(), actor);
-  }
-  this->InstancesTaken = true;
-  return std::move(this->Instances);
 }
 
 //----------------------------------------------------------------------------
@@ -372,7 +307,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     this->AddRadiusColors(colors);
   }
-  if (mapped.Any || tensors || byDirection || this->HasOwnLooks() || selected)
+  if (mapped.Any || tensors || byDirection || this->HasBlockColors() || selected)
   {
     colors.each.resize(this->OriginalIds.size());
     rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(colors.each.size()),
@@ -431,7 +366,7 @@ void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColors& colors) const
 // A glyph stands for its point, and for a cell where the gatherer has found one.
 vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
 {
-  vtkPolyData* points = this->GetPoints();
+  vtkPolyData* points = this->GetPolyData();
   if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())
   {
     return Origin();

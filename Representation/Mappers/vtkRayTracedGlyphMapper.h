@@ -39,8 +39,6 @@ public:
   ///@}
 
   // vtkRayTracedMapper
-  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
-  const rtg::GlyphInstances* GetInstances() const override { return this->InstancesTaken ? nullptr : &this->Instances; }
   void AddToMaterial(rtg::Material& material) const override;
   Origin OriginOf(vtkIdType glyph, int association, const double position[3]) override;
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_POINTS; }
@@ -72,11 +70,8 @@ private:
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
-  rtg::GlyphInstances Instances;
   std::vector<float> Radii;                            // as GlyphInstanceBuilder has them
   std::vector<std::array<std::uint16_t, 2>> TrailEnds; // as GlyphTrails has them
-  bool InstancesTaken = false;
-  std::size_t Digest = 0; // of the instances of InstanceVersion
 };
 
 #endif

@@ -77,7 +77,7 @@ void vtkRayTracedMapper::SetBlocks(const rtglyphs::RayTracedBlocks& blocks)
   if (this->BlocksVersion != blocks.GetVersion())
   {
     this->BlocksVersion = blocks.GetVersion();
-    this->Points = blocks.GetPoints();
+    this->PolyData = blocks.GetPolyData();
     this->Blocks = blocks.GetBlocks();
     this->Hidden = blocks.GetHidden();
   }
@@ -131,7 +131,7 @@ std::size_t vtkRayTracedMapper::BlockOf(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedMapper::HasOwnLooks() const
+bool vtkRayTracedMapper::HasBlockColors() const
 {
   return std::any_of(this->Blocks.begin(), this->Blocks.end(),
     [](const rtglyphs::RayTracedBlocks::Block& block) { return block.Color || block.Opacity < 1.0; });
@@ -148,7 +148,7 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
   {
     interpolateValues &= block.Scalars.InterpolatesScalars;
   }
-  interpolateValues &= !this->HasOwnLooks(); // these are mixed in point by point
+  interpolateValues &= !this->HasBlockColors(); // these are mixed in point by point
   for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
     const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[i];
@@ -164,7 +164,7 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
     return this->MapColors(false, what, messages);
   }
   if (missing && !mapped.Any && mapped.Values.empty() &&
-    !rtglyphs::RayTracedBlocks::IsElsewhere(missing->Data, missing->Scalars.Array))
+    !rtglyphs::RayTracedBlocks::IsOnOtherRanks(missing->Data, missing->Scalars.Array))
   {
     messages.push_back("There is no array '" + missing->Scalars.Array + "' that has a value for each " + what +
       ", so all have one color. Choose another one as ColorArrayName.");
@@ -195,7 +195,7 @@ void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, Ma
   this->ClearColorArrays();
   MappedColors::OfBlock& own = mapped.Blocks[number];
   own.Colors = this->MapScalars(block.Data, 1.0, own.Association);
-  const bool values = !own.Colors && this->TakeValues(block, mapped);
+  const bool values = !own.Colors && this->ReadColorTexture(block, mapped);
   const vtkIdType wanted[] = { block.Data->GetNumberOfPoints(), block.Data->GetNumberOfCells(),
     own.Colors ? std::max(own.Colors->GetNumberOfTuples(), scalars.FieldDataTuple + 1) : 0 };
   if (own.Colors && own.Colors->GetNumberOfTuples() != wanted[own.Association])
@@ -217,7 +217,7 @@ void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, Ma
 
 //----------------------------------------------------------------------------
 // vtkMapper's texture of colors and the points' places in it; false: it has made none.
-bool vtkRayTracedMapper::TakeValues(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped)
+bool vtkRayTracedMapper::ReadColorTexture(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped)
 {
   vtkFloatArray* places = this->GetColorCoordinates();
   vtkImageData* texture = this->GetColorTextureMap();
@@ -243,7 +243,7 @@ bool vtkRayTracedMapper::TakeValues(const rtglyphs::RayTracedBlocks::Block& bloc
   if (mapped.Values.empty())
   {
     mapped.Table = table;
-    mapped.Values.assign(this->Points->GetNumberOfPoints(), rtg::noValue);
+    mapped.Values.assign(this->PolyData->GetNumberOfPoints(), rtg::noValue);
   }
   mapped.OneTable &= mapped.Table == table;
   rtglyphs::RayTracedParallel::ForEach(points,
@@ -314,7 +314,7 @@ std::string vtkRayTracedMapper::WithoutCounts(const std::string& message)
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
-  if (this->Points && this->Points->GetPointData()->HasArray(rtglyphs::RayTracedArrays::Reduced))
+  if (this->PolyData && this->PolyData->GetPointData()->HasArray(rtglyphs::RayTracedArrays::Reduced))
   {
     return; // all points have the same
   }
@@ -361,7 +361,7 @@ void vtkRayTracedMapper::ReportSizes()
 vtkRayTracedMapper::InstanceKey vtkRayTracedMapper::KeyOf(vtkActor* actor) const
 {
   InstanceKey key;
-  for (vtkObject* input : this->InstanceInputs(this->Points))
+  for (vtkObject* input : this->InstanceInputs(this->PolyData))
   {
     key.Times.push_back(TimeOf(input));
   }
@@ -373,13 +373,13 @@ vtkRayTracedMapper::InstanceKey vtkRayTracedMapper::KeyOf(vtkActor* actor) const
 //----------------------------------------------------------------------------
 bool vtkRayTracedMapper::NeedsBuild(vtkActor* actor) const
 {
-  return this->Points && (this->HaveSettingsChanged() || !this->Built.Holds(this->KeyOf(actor)));
+  return this->PolyData && (this->HaveSettingsChanged() || !this->Built.Holds(this->KeyOf(actor)));
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::Update(vtkActor* actor)
+void vtkRayTracedMapper::Update(vtkActor* actor, const rtg::GlyphInstances* sent)
 {
-  vtkPolyData* points = this->GetPoints();
+  vtkPolyData* points = this->GetPolyData();
   if (!points)
   {
     this->OriginalIds = rtglyphs::RayTracedOriginalIds();
@@ -397,13 +397,22 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     {
       rtg::Stopwatch watch;
       this->BuildInstances(points, actor);
+      this->InstancesTaken = false;
       ++this->InstanceBuilds;
       this->InstanceSeconds += watch.Lap();
       this->ReportSizes();
+      if (sent && *sent == this->Instances)
+      {
+        this->TakeInstances(actor); // one copy is enough
+      }
+      else
+      {
+        this->InstanceVersion = NewVersion();
+      }
     });
 
   ColorKey color;
-  color.OriginalIds = this->OriginalIdsVersion;
+  color.InstanceBuilds = this->InstanceBuilds;
   color.State = this->ColorState();
   for (const rtglyphs::RayTracedBlocks::Block& block : this->Blocks)
   {
@@ -435,6 +444,17 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
       ++this->ColorBuilds;
       this->ColorSeconds += watch.Lap();
     });
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances vtkRayTracedMapper::TakeInstances(vtkActor* actor)
+{
+  if (this->InstancesTaken && this->PolyData)
+  {
+    this->BuildInstances(this->PolyData, actor);
+  }
+  this->InstancesTaken = true;
+  return std::exchange(this->Instances, {});
 }
 
 //----------------------------------------------------------------------------

@@ -42,7 +42,7 @@ public:
    * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
   void SetBlocks(const rtglyphs::RayTracedBlocks& blocks);
-  vtkPolyData* GetPoints() const { return this->Points; }
+  vtkPolyData* GetPolyData() const { return this->PolyData; }
   ///@}
 
   /**
@@ -52,18 +52,18 @@ public:
   void SetKnownBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
 
   /**
-   * Of what RayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces of
-   * tubes on both sides of such points. Default is magenta.
+   * Color of what RayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces
+   * of tubes on both sides of such points. Default is magenta.
    */
   void SetSelectionColor(const std::array<double, 3>& color);
 
   /**
-   * The cut; the caller may change it.
+   * The cut, which the caller may change later.
    */
   void SetSection(std::shared_ptr<const rtg::Section> section) { this->Section = std::move(section); }
 
   /**
-   * Where it is shown again, in world coordinates; likewise.
+   * The periodic images, in world coordinates, which the caller may change later.
    */
   void SetImages(std::shared_ptr<const rtg::PeriodicImages> images) { this->Images = std::move(images); }
 
@@ -75,16 +75,17 @@ public:
   ///@{
   /**
    * For the scene. Update() brings instances and colors up to date, whose versions then differ from all earlier ones of
-   * any mapper; it may throw std::bad_alloc and is then to be called again. NeedsBuild() says whether it would build
-   * instances. TakeInstances() hands the instances over,
-   * and builds them again for a second taker; GetInstances() is null when they have been taken.
+   * any mapper; it may throw std::bad_alloc and is then to be called again. Instances that are built again and equal
+   * `sent`, those of GetInstanceVersion() (null: nobody has them), keep their version. NeedsBuild() says whether it
+   * would build instances. TakeInstances() hands them over, and builds them again for a second taker; GetInstances() is
+   * null when they have been taken.
    */
-  void Update(vtkActor* actor);
+  void Update(vtkActor* actor, const rtg::GlyphInstances* sent);
   bool NeedsBuild(vtkActor* actor) const;
   std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
   std::uint64_t GetColorVersion() const { return this->ColorVersion; }
-  virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
-  virtual const rtg::GlyphInstances* GetInstances() const = 0;
+  virtual rtg::GlyphInstances TakeInstances(vtkActor* actor);
+  const rtg::GlyphInstances* GetInstances() const { return this->InstancesTaken ? nullptr : &this->Instances; }
   const rtg::GlyphColors& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
   const rtg::Section& GetSection() const { return *this->Section; }
@@ -121,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Missing input that the user must choose; empty: none. Who makes the choices in a
-   * window, one after the other, is not warned of it.
+   * Missing input that the user must choose; empty: none. In a window, where choices are made one after the other, no
+   * warning says so.
    */
   const std::string& GetMissingInput() const { return this->MissingInput; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
@@ -130,11 +131,11 @@ public:
 
   ///@{
   /**
-   * Whether the next frames show something else in its place, and soon it again: it is left out, and stays on the
-   * device. Default is false.
+   * The next frames show something else in its place, and later ones the mapper again: its glyphs stay on the device.
+   * Default is false.
    */
-  void SetAside(bool aside) { this->Aside = aside; }
-  bool IsAside() const { return this->Aside; }
+  void SetSuspended(bool suspended) { this->Suspended = suspended; }
+  bool IsSuspended() const { return this->Suspended; }
   ///@}
 
   ///@{
@@ -162,7 +163,7 @@ public:
   virtual Origin OriginOf(vtkIdType glyph, int association, const double position[3]) = 0;
 
   /**
-   * Whether a glyph or triangle primarily stands for a point or a cell.
+   * FieldAssociations of what a glyph or triangle primarily stands for.
    */
   virtual int GetNaturalAssociation() const = 0;
 
@@ -237,9 +238,9 @@ protected:
   ///@}
 
   /**
-   * Whether some block has a color or an opacity of its own.
+   * Whether some block has its own color or opacity.
    */
-  bool HasOwnLooks() const;
+  bool HasBlockColors() const;
 
   /**
    * The number of a point's block.
@@ -269,20 +270,19 @@ protected:
   std::uint64_t BlocksVersion = 0;
   rtglyphs::RayTracedOriginalIds OriginalIds; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
+  rtg::GlyphInstances Instances; // unless they are taken
   std::string MissingInput;
-  bool InWindow = false, Aside = false;
+  bool InWindow = false, Suspended = false;
   rtg::GlyphColors Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
-  std::uint64_t InstanceVersion = 0, ColorVersion = 0, OriginalIdsVersion = 0, InstanceBuilds = 0;
-  std::uint64_t ColorBuilds = 0;
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0, InstanceBuilds = 0, ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;
   rtglyphs::RayTracedParallel::Progress BuildProgress;
   std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes, NewMessages;
 
 private:
-  // Dependencies of instances besides the settings. Arrays are known by their time stamps, of which no two are alike:
-  // data that come again in a new vtkPolyData are recognized.
+  // Dependencies of instances besides the settings. Time stamps identify arrays, also in another vtkPolyData.
   struct InstanceKey
   {
     std::vector<vtkMTimeType> Times;
@@ -293,7 +293,7 @@ private:
   struct ColorKey
   {
     std::vector<vtkMTimeType> Times, State;
-    std::uint64_t OriginalIds = 0;
+    std::uint64_t InstanceBuilds = 0;
     std::vector<rtglyphs::RayTracedBlocks::Attributes> Blocks;
     std::array<double, 3> SolidColor{};
     vtkMTimeType Selected = 0;
@@ -303,10 +303,11 @@ private:
 
   InstanceKey KeyOf(vtkActor* actor) const;
   void MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped);
-  bool TakeValues(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped);
+  bool ReadColorTexture(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped);
   void ReportSizes();
 
-  vtkSmartPointer<vtkPolyData> Points;
+  vtkSmartPointer<vtkPolyData> PolyData;
+  bool InstancesTaken = false;
   DataStatistics OfData;
   rtglyphs::RayTracedCache<InstanceKey> Built;
   rtglyphs::RayTracedCache<ColorKey> Colored;

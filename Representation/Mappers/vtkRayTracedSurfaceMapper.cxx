@@ -27,9 +27,7 @@ std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* s
 //----------------------------------------------------------------------------
 void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
 {
-  rtglyphs::GlyphMotion::Settings settings = this->Settings.Motion;
-  settings.AngularVelocity.clear(); // points do not rotate
-  const rtglyphs::GlyphMotion motion(surface, settings);
+  const rtglyphs::GlyphMotion motion(surface, this->Settings.Motion);
   rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::BuildRelative(
     surface, this->Hidden, actor->GetMatrix(), this->Settings.Smooth, motion);
   this->BuiltSettings = this->Settings;
@@ -37,8 +35,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   motion.Finish(shutter);
   this->OriginalIds = std::move(result.Cells);
   this->Skipped = result.Skipped;
-  ++this->OriginalIdsVersion;
-  const bool same = this->Instances.mesh && this->InstanceVersion > 0 && result.Origin == this->Instances.origin &&
+  const bool same = this->Instances.mesh && result.Origin == this->Instances.origin &&
     rtg::SameShape(result.Mesh, *this->Instances.mesh) && shutter.shutterOpen == this->Instances.motion.shutterOpen &&
     shutter.shutterClose == this->Instances.motion.shutterClose;
   if (!same)
@@ -50,11 +47,10 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
     this->Instances.origin = result.Origin;
     this->Instances.motion = shutter;
     this->Instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(result.Mesh));
-    this->ShapeChanged = true;
   }
 
   std::vector<std::string> messages = motion.Messages();
-  rtglyphs::GlyphMotion::ReportLacking(surface, settings, this->Hidden, messages);
+  rtglyphs::GlyphMotion::ReportMissing(surface, this->Settings.Motion, this->Hidden, messages);
   if (result.Skipped > 0)
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
@@ -93,7 +89,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
       [&](vtkIdType i)
       { colored->triangleColors[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i])); });
   }
-  else if (mapped.Any || this->HasOwnLooks())
+  else if (mapped.Any || this->HasBlockColors())
   {
     colored->positionColors.resize(mesh.positions.size());
     rtglyphs::RayTracedParallel::ForEach(static_cast<vtkIdType>(mesh.positions.size()),
@@ -105,11 +101,6 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
     colored->positionValues != mesh.positionValues || colored->valueColors != mesh.valueColors)
   {
     this->Instances.mesh = std::move(colored);
-    this->ShapeChanged = true;
-  }
-  if (this->ShapeChanged)
-  {
-    this->ShapeChanged = false;
     this->InstanceVersion = NewVersion();
   }
   this->Report(messages, this->ReportedColors);
@@ -126,7 +117,7 @@ rtg::GlyphInstances vtkRayTracedSurfaceMapper::TakeInstances(vtkActor*)
 vtkRayTracedMapper::Origin
 vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const double position[3])
 {
-  vtkPolyData* surface = this->GetPoints();
+  vtkPolyData* surface = this->GetPolyData();
   if (!surface || triangle < 0 || triangle >= this->GetNumberOfGlyphs())
   {
     return Origin();

@@ -33,7 +33,6 @@ public:
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
-  const rtg::GlyphInstances* GetInstances() const override { return &this->Instances; }
   Origin OriginOf(vtkIdType triangle, int association, const double position[3]) override;
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
@@ -52,8 +51,6 @@ protected:
 
 private:
   SurfaceSettings Settings, BuiltSettings;
-  rtg::GlyphInstances Instances;
-  bool ShapeChanged = false; // since the last BuildColors()
 };
 
 #endif

@@ -37,10 +37,7 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
   this->Ends = std::move(result.Ends);
   this->Instances = std::move(result.Instances);
   this->Placement = rtglyphs::GlyphPlacement(actor->GetMatrix());
-  this->Taken = false;
   this->Skipped = result.Bad + result.Empty;
-  ++this->OriginalIdsVersion;
-  this->InstanceVersion = NewVersion();
   this->ReportInstances(std::move(result.Messages), rtglyphs::GlyphMotion::MissingInput(this->Settings.Motion));
 }
 
@@ -65,7 +62,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   rtg::GlyphColors colors;
   colors.table = mapped.Table;
   const bool ends = directions || !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
-  const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));
+  const bool each = points || (!ends && (mapped.Any || this->HasBlockColors()));
   colors.each.resize(each ? this->OriginalIds.size() : 0);
   colors.ends.resize(ends ? this->OriginalIds.size() : 0);
   const auto atEnd = [&](vtkIdType piece, int end)
@@ -108,7 +105,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
 }
 
 //----------------------------------------------------------------------------
-// Of unit length: between two pieces the mean of both.
+// A unit vector; between two pieces the mean of both.
 glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType piece, int end) const
 {
   const auto along = [&](vtkIdType of)
@@ -126,23 +123,10 @@ glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType pie
 }
 
 //----------------------------------------------------------------------------
-rtg::GlyphInstances vtkRayTracedTubeMapper::TakeInstances(vtkActor* actor)
-{
-  if (this->Taken)
-  {
-    this->Instances =
-      rtglyphs::RayTracedTubeBuilder::Build(this->GetPoints(), this->Hidden, actor->GetMatrix(), this->BuiltSettings)
-        .Instances;
-  }
-  this->Taken = true;
-  return std::exchange(this->Instances, rtg::GlyphInstances());
-}
-
-//----------------------------------------------------------------------------
 // A point is that end of the piece that lies nearer.
 vtkRayTracedMapper::Origin vtkRayTracedTubeMapper::OriginOf(vtkIdType piece, int association, const double position[3])
 {
-  vtkPolyData* lines = this->GetPoints();
+  vtkPolyData* lines = this->GetPolyData();
   if (!lines || piece < 0 || piece >= this->GetNumberOfGlyphs())
   {
     return Origin();

@@ -24,13 +24,11 @@ public:
   void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings) { this->Settings = settings; }
 
   /**
-   * Of rtglyphs::DirectionColors, whatever else would color tubes. Default is none.
+   * A kind of rtglyphs::DirectionColors, which replaces all other colors. Default is none.
    */
   void SetDirectionColoring(int kind) { this->DirectionColoring = kind; }
 
   // vtkRayTracedMapper
-  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
-  const rtg::GlyphInstances* GetInstances() const override { return this->Taken ? nullptr : &this->Instances; }
   Origin OriginOf(vtkIdType piece, int association, const double position[3]) override;
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
@@ -52,8 +50,6 @@ private:
 
   rtglyphs::RayTracedTubeBuilder::Settings Settings, BuiltSettings;
   int DirectionColoring = rtglyphs::DirectionColors::NONE;
-  rtg::GlyphInstances Instances; // until they are taken
-  bool Taken = false;
   std::vector<std::array<vtkIdType, 2>> Ends;    // points of each piece
   rtglyphs::GlyphPlacement Placement{ nullptr }; // the actor's
 };

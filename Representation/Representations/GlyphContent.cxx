@@ -72,7 +72,7 @@ void rtglyphs::GlyphContent::Deliver(vtkInformation* info, vtkPVDataRepresentati
     vtkPVView::SetPiece(info, representation, this->Meshes.GetPiece(), 0, 1);
     // Cut by the plane between two ranks, points that lie in it would go to neither.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(info, representation);
-    vtkPolyData* points = this->Common.Blocks.GetPoints();
+    vtkPolyData* points = this->Common.Blocks.GetPolyData();
     this->UpdateTensorRange(points);
     this->UpdateScaleGuess(points, representation->GetUpdateTime());
     this->CountPointsOfAllRanks(points);
@@ -123,11 +123,11 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::GetAllSizes(vtkPoly
 }
 
 //----------------------------------------------------------------------------
-// Not where points have more than one glyph, or are chosen anyway.
+// Points with several glyphs, and those that a mask has chosen, are not reduced.
 vtkDataObject* rtglyphs::GlyphContent::Reduce(vtkDataObject* data, const double bounds[6], double resolution)
 {
   constexpr double most = 256.0; // cells along the longest side
-  vtkPolyData* points = this->Common.Blocks.GetPoints();
+  vtkPolyData* points = this->Common.Blocks.GetPolyData();
   const std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(points);
   rtglyphs::GlyphSettings settings = layers.front();
   const double longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
@@ -221,7 +221,7 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
   Values& summary = this->Common.Summary;
   summary[SCALE_PERCENTILE] = this->ScalePercentile(points, settings);
   double largest = 0.0;
-  if (this->LegendStyle.On)
+  if (this->Legend->IsOn())
   {
     settings.Frame = settings.Frame == GlyphFrame::Split ? GlyphFrame::Vector : settings.Frame; // magnitudes themselves
     rtglyphs::RayTracedRanks::Together(
@@ -300,7 +300,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   if (vtkDataObject* form = frame.LOD ? vtkPVView::GetDeliveredPieceLOD(frame.Info, frame.Representation, 1)
                                       : vtkPVView::GetDeliveredPiece(frame.Info, frame.Representation, 1))
   {
-    this->Meshes.Take(form);
+    this->Meshes.SetDelivered(form);
   }
   std::vector<rtglyphs::GlyphSettings> layers = this->MakeLayers(frame.Points);
   const rtglyphs::GlyphSettings& glyphs = layers.front();
@@ -319,7 +319,7 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   for (std::size_t i = 1; i < layers.size(); ++i)
   {
     rtglyphs::GlyphLayers::Layer& layer = this->Layers[i - 1];
-    layer.Follow(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
+    layer.Update(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
     layers[i].TrailJoined = layers[i].TrailSteps > 0 && frame.Translucent;
     layer.Mapper->SetSettings(layers[i], this->Meshes.GetMesh(layers[i].TableEntry));
     layer.Mapper->SetTensorTable(this->TensorTable);
@@ -337,10 +337,10 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
 // Colors have the range of all data.
 void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
 {
-  this->Common.Parts.Mapper->SetAside(reduced);
+  this->Common.Parts.Mapper->SetSuspended(reduced);
   for (const auto& layer : this->Layers)
   {
-    layer->Mapper->SetAside(reduced);
+    layer->Mapper->SetSuspended(reduced);
   }
   if (reduced || frame.Collective) // ranks have the same layers, whichever have enough points
   {
@@ -348,14 +348,14 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
   }
   for (const auto& layer : this->Reduced)
   {
-    layer->Mapper->SetAside(!reduced);
+    layer->Mapper->SetSuspended(!reduced);
   }
   if (!reduced)
   {
     return;
   }
   rtglyphs::GlyphLayers::Layer& layer = this->Reduced[0];
-  layer.Follow(this->Common.Reduced, this->Common.Parts.Actor, this->Common.SelectionColor);
+  layer.Update(this->Common.Reduced, this->Common.Parts.Actor, this->Common.SelectionColor);
   layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));
   layer.Mapper->SetTensorTable(this->TensorTable);
   layer.Mapper->SetTensorRange(this->GetTensorRange());
@@ -365,8 +365,7 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
 void rtglyphs::GlyphContent::UpdateLegend(const rtglyphs::GlyphSettings& settings)
 {
   using namespace rtglyphs::DataSummary;
-  this->Legend->SetStyle(this->LegendStyle);
-  if (!this->LegendStyle.On)
+  if (!this->Legend->IsOn())
   {
     return;
   }
@@ -424,7 +423,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::MakeSettings() const
     double& most = settings.Sizing.Most;
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
-  // Between the process that has the source and one that renders it is part of what is delivered.
+  // The source's description is delivered with the mesh to processes that render.
   const rtglyphs::GlyphSource source(this->Meshes.GetMesh(0));
   settings.Arrow = source.Arrow;
   settings.Arrow.fixedHeads = this->FixedHeads;
@@ -478,13 +477,6 @@ void rtglyphs::GlyphContent::SetMode(int mode)
 {
   this->Settings.Mask.On = mode > 0;
   this->Settings.Mask.Mode = std::max(mode - 1, 0);
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphContent::SetLegend(int place)
-{
-  this->LegendStyle.On = place > 0;
-  this->LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
 }
 
 //----------------------------------------------------------------------------

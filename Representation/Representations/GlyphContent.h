@@ -40,7 +40,6 @@ public:
   int ScaleMode = 0;
   bool SourceIndexing = false, UseSourceTableTree = false;
   bool FixedHeads = false;
-  vtkGlyphLegend::Style LegendStyle;
   std::string HarmonicsArray, ShellArray;
   double TrailFading = 0.0;
   bool TensorAxis = false;
@@ -49,10 +48,9 @@ public:
 
   ///@{
   /**
-   * As the properties GlyphMode and GlyphLegend have it, of which 0 is none, and GlyphExponents.
+   * As the properties GlyphMode, of which 0 is none, and GlyphExponents have it.
    */
   void SetMode(int mode);
-  void SetLegend(int place);
   void SetExponents(const std::array<double, 3>& exponents);
   ///@}
 
@@ -93,7 +91,7 @@ public:
     this->Layers.Resize(0, this->Common.Parts, representation, view);
     this->Reduced.Resize(0, this->Common.Parts, representation, view);
   }
-  vtkRayTracedLegend* GetLegend() { return this->Legend; }
+  vtkGlyphLegend* GetLegend() { return this->Legend; }
 
 private:
   GlyphSettings MakeSettings() const;

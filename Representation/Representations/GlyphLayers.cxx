@@ -3,7 +3,7 @@
 #include "RayTracedParts.h"
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphLayers::Layer::Follow(
+void rtglyphs::GlyphLayers::Layer::Update(
   const rtglyphs::RayTracedBlocks& blocks, vtkActor* main, const std::array<double, 3>& selectionColor)
 {
   this->Mapper->SetSelectionColor(selectionColor);

@@ -30,8 +30,8 @@ public:
     vtkNew<vtkRayTracedActor> Actor;
     vtkNew<vtkRayTracedGlyphMapper> Mapper;
 
-    /// Blocks and appearance of the main actor.
-    void Follow(const RayTracedBlocks& blocks, vtkActor* main, const std::array<double, 3>& selectionColor);
+    /// Takes over blocks, and the main actor's appearance.
+    void Update(const RayTracedBlocks& blocks, vtkActor* main, const std::array<double, 3>& selectionColor);
   };
 
   /**

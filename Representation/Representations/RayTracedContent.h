@@ -106,9 +106,9 @@ public:
 
   ///@{
   /**
-   * Less that shows nearly the same as Common.Blocks, those of `data`, within these bounds, for frames that must come
-   * at once; `resolution` is ParaView's, in [0, 1]. Null: there is none. And whether its blocks, Common.Reduced, are
-   * shown in place of what Configure() has configured.
+   * Reduce() returns fewer points that show nearly the same as `data`, whose blocks are Common.Blocks, within these
+   * bounds, for frames that must come at once; `resolution` is ParaView's, in [0, 1]. Null: there are none.
+   * ShowReduced() says whether Common.Reduced is shown in place of what Configure() has configured.
    */
   virtual vtkDataObject* Reduce(vtkDataObject* /*data*/, const double /*bounds*/[6], double /*resolution*/)
   {

@@ -51,7 +51,7 @@ void rtglyphs::RayTracedParts::Copy(vtkActor* from, vtkActor* to)
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedParts::Follow(vtkActor* actor)
+void rtglyphs::RayTracedParts::UpdateActor(vtkActor* actor)
 {
   using namespace rtglyphs::RayTracedNumbers;
   Copy(actor, this->Actor);

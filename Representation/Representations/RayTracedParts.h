@@ -28,7 +28,7 @@ public:
 
   ///@{
   /**
-   * Of all mappers.
+   * Settings of all mappers.
    */
   const std::shared_ptr<rtg::PeriodicImages> Images = std::make_shared<rtg::PeriodicImages>();
   const std::shared_ptr<rtg::Section> Section = std::make_shared<rtg::Section>();
@@ -45,12 +45,13 @@ public:
   ///@}
 
   /**
-   * Appearance and place of ParaView's actor, which is not rendered and whose numbers may be NaN or infinite.
+   * Gives the main actor the appearance and place of ParaView's, which is not rendered and may have NaN or infinite
+   * numbers.
    */
-  void Follow(vtkActor* actor);
+  void UpdateActor(vtkActor* actor);
 
   /**
-   * The same of an actor whose numbers are good, for another one.
+   * Gives one actor the appearance and place of another, whose numbers are finite.
    */
   static void Copy(vtkActor* from, vtkActor* to);
 };

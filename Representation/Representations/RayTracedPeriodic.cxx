@@ -1,12 +1,12 @@
 #include "RayTracedPeriodic.h"
 
+#include "GlyphPlacement.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -44,7 +44,7 @@ vtkDataArray* FindEdges(vtkFieldData* field)
   return nullptr;
 }
 
-// The same of data, or else of their blocks.
+// The edges that data have in their own field data, or else in that of their blocks.
 vtkDataArray* FindEdges(vtkDataObject* data)
 {
   vtkDataArray* edges = data ? FindEdges(data->GetFieldData()) : nullptr;
@@ -147,12 +147,10 @@ void rtglyphs::ExtendBounds(const rtg::PeriodicImages& images, double bounds[6])
 //----------------------------------------------------------------------------
 rtg::PeriodicImages rtglyphs::Moved(rtg::PeriodicImages images, vtkMatrix4x4* matrix)
 {
+  const glm::dmat3 linear = GlyphPlacement(matrix).Linear;
   for (glm::dvec3& edge : images.edges)
   {
-    const double direction[4] = { edge.x, edge.y, edge.z, 0.0 };
-    double moved[4];
-    matrix->MultiplyPoint(direction, moved);
-    edge = { moved[0], moved[1], moved[2] };
+    edge = linear * edge;
   }
   return images;
 }

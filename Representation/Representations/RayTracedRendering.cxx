@@ -96,7 +96,7 @@ void rtglyphs::RayTracedRendering::Show(vtkDataObject* data, Shown& shown)
 }
 
 //----------------------------------------------------------------------------
-// Those of everything shown of gathered or delivered points.
+// Bounds of everything that is shown of gathered or delivered points.
 const double* rtglyphs::RayTracedRendering::BoundsOf(RayTracedContent& content, vtkPolyData* points, Shown& shown)
 {
   return shown.Bounds.Get(points, content.GetAllSizes(points), shown.Blocks.GetHidden());
@@ -112,12 +112,12 @@ void rtglyphs::RayTracedRendering::SetBounds(RayTracedContent& content, const do
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedRendering::UpdateBounds(RayTracedContent& content, vtkInformation* inInfo, vtkDataObject* piece)
 {
-  vtkPolyData* points = this->Common.Blocks.GetPoints();
+  vtkPolyData* points = this->Common.Blocks.GetPolyData();
   double bounds[6];
   std::copy_n(BoundsOf(content, points, this->All), 6, bounds);
   ExtendBounds(this->MakeImages(points, piece, /*together=*/true), bounds);
   RayTracedParts& parts = this->Common.Parts;
-  parts.Follow(this->From.Actor);
+  parts.UpdateActor(this->From.Actor);
   vtkPVRenderView::SetGeometryBounds(inInfo, this->From.Representation, bounds, parts.Actor->GetMatrix());
   if (parts.Mapper)
   {
@@ -127,7 +127,7 @@ void rtglyphs::RayTracedRendering::UpdateBounds(RayTracedContent& content, vtkIn
 }
 
 //----------------------------------------------------------------------------
-// A problem with properties, or none, unless it is the one that was last reported.
+// Reports a problem with properties, unless there is none or it was reported last.
 void rtglyphs::RayTracedRendering::ReportAnew(const std::string& problem, std::string& reported) const
 {
   if (problem != std::exchange(reported, problem) && !problem.empty())
@@ -172,7 +172,7 @@ void rtglyphs::RayTracedRendering::Render(
     parts.Mapper = content.MakeMapper();
     parts.Add(owner, view, parts.Actor, parts.Mapper);
   }
-  parts.Follow(this->From.Actor);
+  parts.UpdateActor(this->From.Actor);
   std::string problem;
   *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
   this->ReportAnew(problem, this->SectionProblem);
@@ -187,7 +187,7 @@ void rtglyphs::RayTracedRendering::Render(
     this->Show(delivered, this->All);
     parts.Mapper->SetBlocks(this->Common.Blocks);
   }
-  vtkPolyData* points = parts.Mapper->GetPoints();
+  vtkPolyData* points = parts.Mapper->GetPolyData();
   const bool collective = this->IsCollective(inInfo);
   parts.Mapper->SetInWindow(stepwise);
   const RayTracedContent::Frame frame{ inInfo, owner, view, points, lod, collective, translucent };
@@ -206,7 +206,7 @@ void rtglyphs::RayTracedRendering::Render(
   {
     delivered = this->PieceLOD;
     this->Show(delivered, shown);
-    points = shown.Blocks.GetPoints();
+    points = shown.Blocks.GetPolyData();
   }
   if (this->ReducedFirst)
   {

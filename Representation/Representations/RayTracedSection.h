@@ -28,8 +28,8 @@ struct RayTracedSection
     ColoredCaps
   };
 
-  RayTracedChoice<Kinds, Kinds::None, Kinds::Box> Kind;
-  RayTracedChoice<Faces, Faces::Caps, Faces::ColoredCaps> Face;
+  RayTracedEnum<Kinds, Kinds::None, Kinds::Box> Kind;
+  RayTracedEnum<Faces, Faces::Caps, Faces::ColoredCaps> Face;
   bool Invert = true;
   bool Moves = false;             // with moving glyphs
   std::array<double, 3> Origin{}; // of the plane

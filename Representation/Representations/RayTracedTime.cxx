@@ -28,6 +28,14 @@ GlyphMotion::Settings RayTracedTime::GetMotion() const
 }
 
 //----------------------------------------------------------------------------
+GlyphMotion::Settings RayTracedTime::GetMotionOfPoints() const
+{
+  GlyphMotion::Settings motion = this->GetMotion();
+  motion.AngularVelocity.clear();
+  return motion;
+}
+
+//----------------------------------------------------------------------------
 // After the sizes of the points are known, and before their bounds.
 void RayTracedTime::UpdateShutterTime(
   vtkPolyData* points, const std::function<GlyphSettings(double& unitSize)>& sizes, double time)

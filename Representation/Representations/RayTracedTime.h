@@ -1,5 +1,5 @@
 /**
- * How a display moves, as its properties say and earlier time steps of its data tell: velocities, trails, and how long
+ * Motion of a display by its properties and by earlier time steps of its data: velocities, trails, and how long
  * the shutter is open.
  */
 #ifndef RayTracedTime_h
@@ -37,6 +37,11 @@ public:
    * The properties, with the shutter time that the data suggest.
    */
   GlyphMotion::Settings GetMotion() const;
+
+  /**
+   * The same of points of lines and surfaces, which do not rotate.
+   */
+  GlyphMotion::Settings GetMotionOfPoints() const;
 
   /**
    * On all ranks that have data at once. `sizes` of the points, of a unit glyph of some length, are asked for where

@@ -20,7 +20,7 @@ rtglyphs::GlyphSettings rtglyphs::SurfaceContent::GetSizes(vtkPolyData*, double&
 {
   rtglyphs::GlyphSettings settings;
   settings.ScaleFactor = 0.0;
-  settings.Motion = this->Common.Time.GetMotion();
+  settings.Motion = this->Common.Time.GetMotionOfPoints();
   return settings;
 }
 
@@ -35,6 +35,6 @@ void rtglyphs::SurfaceContent::Configure(const Frame&)
 {
   vtkRayTracedSurfaceMapper::SurfaceSettings settings;
   settings.Smooth = this->Smooth;
-  settings.Motion = this->Common.Time.GetMotion();
+  settings.Motion = this->Common.Time.GetMotionOfPoints();
   static_cast<vtkRayTracedSurfaceMapper*>(this->Common.Parts.Mapper.Get())->SetSettings(settings);
 }

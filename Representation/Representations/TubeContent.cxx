@@ -23,7 +23,7 @@ rtglyphs::GlyphSettings rtglyphs::TubeContent::GetSizes(vtkPolyData* lines, doub
 {
   rtglyphs::GlyphSettings settings;
   settings.ScaleFactor = 2.0 * std::abs(this->Radius);
-  settings.Motion = this->Common.Time.GetMotion();
+  settings.Motion = this->Common.Time.GetMotionOfPoints();
   bool ofCells = false;
   rtglyphs::RayTracedTubeBuilder::Settings tubes;
   tubes.RadiusArray = this->RadiusArray;
@@ -79,7 +79,7 @@ void rtglyphs::TubeContent::Configure(const Frame& frame)
   settings.RadiusArray = this->RadiusArray;
   settings.FlatEnds = this->FlatEnds;
   settings.Joined = frame.Translucent;
-  settings.Motion = this->Common.Time.GetMotion();
+  settings.Motion = this->Common.Time.GetMotionOfPoints();
   auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->Common.Parts.Mapper.Get());
   tubes->SetSettings(settings);
   tubes->SetDirectionColoring(this->Common.DirectionColoring);

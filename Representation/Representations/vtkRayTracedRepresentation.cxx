@@ -3,6 +3,7 @@
 #include "GlyphJoinedArrays.h"
 #include "RayTracedArrays.h"
 #include "RayTracedRanks.h"
+#include "RayTracedSelection.h"
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
 #include "vtkCellData.h"
@@ -113,7 +114,8 @@ int vtkRayTracedRepresentation::RequestData(
     ? vtkDataObject::GetData(inputVector[GLYPH_TYPE_PORT], 0)
     : nullptr;
   this->Glyphs.GatherMeshes(source, source ? this->GetInputAlgorithm(GLYPH_TYPE_PORT, 0) : nullptr);
-  this->Selected.Take(this, SELECTION_PORT, vtkDataObject::GetData(inputVector[SELECTION_PORT], 0));
+  const bool marks = this->Content->MarksSelection() && rtglyphs::RayTracedSelection::Exists(this, SELECTION_PORT);
+  vtkDataObject* selected = marks ? vtkDataObject::GetData(inputVector[SELECTION_PORT], 0) : nullptr;
   vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
   const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
@@ -127,7 +129,9 @@ int vtkRayTracedRepresentation::RequestData(
     {
       if (input)
       {
-        const vtkSmartPointer<vtkDataObject> made = this->Gather(input, wholeExtent);
+        this->Gather(input, wholeExtent);
+        const vtkSmartPointer<vtkDataObject> made =
+          selected ? rtglyphs::RayTracedSelection::Mark(this->Gathered, selected) : this->Gathered;
         again = steps.AddTo(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
           this->Content->HasTrails(), [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
         if (again)
@@ -147,7 +151,7 @@ int vtkRayTracedRepresentation::RequestData(
   }
   if (!good)
   {
-    steps.GiveUp();
+    steps.CancelRequests();
   }
   else if (const std::string message = steps.TakeMessage(); !message.empty())
   {
@@ -162,28 +166,30 @@ int vtkRayTracedRepresentation::RequestData(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+// Another selection gathers nothing anew.
+void vtkRayTracedRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
-  const int colors = std::max(1, this->GetBlockColorsDistinctValues());
-  const auto gather = [&]
-  {
-    const bool blocks = input->IsA("vtkCompositeDataSet");
-    const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
-    const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
-    double done = 0.0;
-    return rtglyphs::RayTracedTree::Make(input, colors,
-      [&](vtkDataObject* data)
-      {
-        const double first = done;
-        done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
-        return this->Content->Gather(
-          data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
-      });
-  };
   this->Surface.NonlinearSubdivisionLevel =
     vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter)->GetNonlinearSubdivisionLevel();
-  const auto [content, first, second] = this->Content->GatherOptions();
-  return this->Selected.Gather(input, { content, first, second, colors }, this->Content->MarksSelection(), gather);
+  const int colors = std::max(1, this->GetBlockColorsDistinctValues());
+  // Sources that fill the same data object anew differ by the time of its update.
+  this->GatherCache.Update({ input, input->GetUpdateTime(), input->GetMTime(), this->Content->GatherOptions(), colors },
+    [&]
+    {
+      this->Gathered = nullptr; // also where the memory does not suffice
+      const bool blocks = input->IsA("vtkCompositeDataSet");
+      const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
+      const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
+      double done = 0.0;
+      this->Gathered = rtglyphs::RayTracedTree::Make(input, colors,
+        [&](vtkDataObject* data)
+        {
+          const double first = done;
+          done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
+          return this->Content->Gather(
+            data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
+        });
+    });
 }
 
 //----------------------------------------------------------------------------
@@ -338,7 +344,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     vtkNew<vtkPolyData> nothing; // of an input that has failed, as a source of a state file may
     this->Rendering.Show(this->Piece ? this->Piece.Get() : nothing.Get());
     this->Content->Deliver(inInfo, this, /*lod=*/false);
-    vtkPolyData* points = this->Common.Blocks.GetPoints();
+    vtkPolyData* points = this->Common.Blocks.GetPolyData();
     if (this->Common.HasData)
     {
       this->Common.Time.UpdateShutterTime(
@@ -375,7 +381,7 @@ bool vtkRayTracedRepresentation::NeedsOrderedCompositing()
 }
 
 //----------------------------------------------------------------------------
-// Without the superclass's actor.
+// The superclass would add its actor.
 bool vtkRayTracedRepresentation::AddToView(vtkView* view)
 {
   if (auto* renderView = vtkPVRenderView::SafeDownCast(view))

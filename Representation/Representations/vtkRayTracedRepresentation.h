@@ -4,8 +4,8 @@
  *
  * What is shown is a RayTracedContent, which ParaView names as subtype of the representation (SetRepresentation());
  * this class delivers and places it. Appearance, placement, colors and blocks are those of ParaView's ordinary surface.
- * Of the superclass neither the geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is
- * gathered, and actors of ours follow its actor (RayTracedParts).
+ * The superclass's geometry filter is not run, and its actor not rendered: its MultiBlockMaker delivers what is
+ * gathered, and RayTracedParts copies the actor's appearance.
  *
  * Points, triangles or lines are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view
  * with their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are
@@ -24,9 +24,9 @@
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "GlyphContent.h"
+#include "RayTracedCache.h"
 #include "RayTracedNumbers.h"
 #include "RayTracedRendering.h"
-#include "RayTracedSelected.h"
 #include "SurfaceContent.h"
 #include "TubeContent.h"
 #endif
@@ -37,6 +37,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
@@ -178,13 +179,13 @@ public:
 
   ///@{
   /**
-   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
-   * its corner and 1. Default is none, a number that fits.
+   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend for places and
+   * defaults.
    */
-  void SetGlyphLegend(int place) { this->Glyphs.SetLegend(place); }
+  void SetGlyphLegend(int place) { this->Glyphs.GetLegend()->SetPlace(place); }
   void SetGlyphLegendValue(double value)
   {
-    this->Glyphs.LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0);
+    this->Glyphs.GetLegend()->SetValue(rtglyphs::RayTracedNumbers::NumberOr(value, 0.0));
   }
   ///@}
 
@@ -322,7 +323,7 @@ private:
   // The data side
   rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what); // to ParaView's progress bar
   void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
-  vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, const int* wholeExtent);
+  void Gather(vtkDataObject* input, const int* wholeExtent);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
@@ -333,7 +334,8 @@ private:
   rtglyphs::TubeContent Tubes;
   rtglyphs::RayTracedContent* Content; // one of these
   rtglyphs::RayTracedRendering Rendering;
-  rtglyphs::RayTracedSelected Selected;
+  vtkSmartPointer<vtkDataObject> Gathered;
+  rtglyphs::RayTracedCache<std::tuple<vtkDataObject*, vtkMTimeType, vtkMTimeType, std::array<int, 3>, int>> GatherCache;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
   vtkSmartPointer<vtkDataObject> Piece;      // gathered, not yet delivered

@@ -16,6 +16,20 @@
 #include <set>
 #include <utility>
 
+namespace
+{
+// The instances of the mapper's version that the kernels have; null: none.
+const rtg::GlyphInstances*
+SentInstances(const rtglyphs::RayTracedDisplays::Display& display, rtglyphs::RayTracedImages& images)
+{
+  rtg::Scene* scene = images.GetScene();
+  return scene && display.Scene == images.GetSceneNumber() &&
+      display.SentInstances == display.Mapper->GetInstanceVersion()
+    ? &scene->InstancesOf(display.Set)
+    : nullptr;
+}
+}
+
 //----------------------------------------------------------------------------
 const rtglyphs::RayTracedDisplays::Display* rtglyphs::RayTracedDisplays::Find(const vtkRayTracedMapper* mapper) const
 {
@@ -53,7 +67,7 @@ void rtglyphs::RayTracedDisplays::Remove(vtkRayTracedMapper* mapper, rtglyphs::R
 bool rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const rtglyphs::RayTracedImageSettings& settings,
   bool collective, rtglyphs::RayTracedImages& images, const std::function<void(const std::string&)>& report)
 {
-  Versions shown = this->UpdateAll(renderer, report);
+  Versions shown = this->UpdateAll(renderer, images, report);
   this->ReportMessages(collective);
   if (collective && settings.ParallelLight == rtglyphs::RayTracedImageSettings::NeighborLight &&
     (settings.ShadingMode != static_cast<int>(rtg::Shading::Local) || settings.Shadows))
@@ -81,8 +95,8 @@ bool rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const rtglyphs::
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedDisplays::Versions
-rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report)
+rtglyphs::RayTracedDisplays::Versions rtglyphs::RayTracedDisplays::UpdateAll(
+  vtkRenderer* renderer, rtglyphs::RayTracedImages& images, const std::function<void(const std::string&)>& report)
 {
   Versions versions;
   for (Display& display : this->All)
@@ -90,13 +104,13 @@ rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::functio
     vtkRayTracedMapper* mapper = display.Mapper;
     display.Shown = false;
     vtkActor* actor = display.Actor;
-    if (!actor || !actor->GetVisibility() || mapper->IsAside())
+    if (!actor || !actor->GetVisibility() || mapper->IsSuspended())
     {
       continue;
     }
     try
     {
-      mapper->Update(actor);
+      mapper->Update(actor, SentInstances(display, images));
     }
     catch (const std::bad_alloc&)
     {
@@ -110,11 +124,11 @@ rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::functio
       continue;
     }
     const rtg::Material material = this->GetMaterial(static_cast<int>(&display - this->All.data()), renderer);
-    const rtg::PeriodicImages& images = mapper->GetImages();
-    if (display.MaterialVersion == 0 || !(display.Material == material) || !(display.Images == images))
+    const rtg::PeriodicImages& periodic = mapper->GetImages();
+    if (display.MaterialVersion == 0 || !(display.Material == material) || !(display.Images == periodic))
     {
       display.Material = material;
-      display.Images = images;
+      display.Images = periodic;
       display.MaterialVersion = ++this->MaterialVersions;
     }
     display.Shown = true;
@@ -204,7 +218,7 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
     const bool known = display.Scene == sceneNumber;
     if (!display.Shown)
     {
-      if (known && mapper->IsAside() && display.Actor && display.Actor->GetVisibility())
+      if (known && mapper->IsSuspended() && display.Actor && display.Actor->GetVisibility())
       {
         scene.SetVisible(display.Set, false, /*keep=*/true);
       }
@@ -257,12 +271,7 @@ rtglyphs::RayTracedDisplays::GetShown(rtglyphs::RayTracedImages& images, std::ve
       continue;
     }
     const rtg::GlyphInstances* instances = display.Mapper->GetInstances();
-    rtg::Scene* scene = images.GetScene();
-    if (!instances && scene && display.Scene == images.GetSceneNumber() &&
-      display.SentInstances == display.Mapper->GetInstanceVersion())
-    {
-      instances = &scene->InstancesOf(display.Set);
-    }
+    instances = instances ? instances : SentInstances(display, images);
     if (!instances)
     {
       instances = &built.emplace_back(display.Mapper->TakeInstances(display.Actor));

@@ -86,7 +86,7 @@ public:
   bool AnyVisible() const;
 
   /**
-   * Of what the frame shows.
+   * Bounds of what the frame shows.
    */
   vtkBoundingBox ComputeShownBounds() const;
 
@@ -103,11 +103,12 @@ public:
   GetShown(RayTracedImages& images, std::vector<rtg::GlyphInstances>& built) const;
 
 private:
-  // Of each shown display the versions of its instances, colors and material, and that of the neighbors: two frames
+  // Versions of instances, colors and material of each shown display, and that of the neighbors: two frames
   // with the same list draw the same picture.
   using Versions = std::vector<std::array<std::uint64_t, 3>>;
 
-  Versions UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
+  Versions
+  UpdateAll(vtkRenderer* renderer, RayTracedImages& images, const std::function<void(const std::string&)>& report);
   void ReportMessages(bool collective);
   rtg::Material GetMaterial(int display, vtkRenderer* renderer) const; // by its number
 

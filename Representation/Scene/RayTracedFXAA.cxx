@@ -5,22 +5,22 @@
 #include "vtkOpenGLRenderer.h"
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedFXAA::Take(vtkRenderer* renderer)
+void rtglyphs::RayTracedFXAA::Disable(vtkRenderer* renderer)
 {
-  this->Taken = renderer->GetUseFXAA();
-  if (this->Taken)
+  this->WasOn = renderer->GetUseFXAA();
+  if (this->WasOn)
   {
     renderer->UseFXAAOff();
   }
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedFXAA::GiveBack(vtkRenderer* renderer)
+void rtglyphs::RayTracedFXAA::Restore(vtkRenderer* renderer)
 {
-  if (this->Taken)
+  if (this->WasOn)
   {
     renderer->UseFXAAOn();
-    this->Taken = false;
+    this->WasOn = false;
   }
 }
 
@@ -29,7 +29,7 @@ void rtglyphs::RayTracedFXAA::Apply(vtkRenderer* renderer, const std::function<v
 {
   auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!this->Taken || !glRenderer || !window)
+  if (!this->WasOn || !glRenderer || !window)
   {
     return;
   }

@@ -22,14 +22,14 @@ class RayTracedFXAA
 public:
   ///@{
   /**
-   * Before a frame is drawn: takes FXAA over from the renderer where it is on. After it: gives it back.
+   * Before a frame is drawn: switches the renderer's FXAA off. After it: on again where it was on.
    */
-  void Take(vtkRenderer* renderer);
-  void GiveBack(vtkRenderer* renderer);
+  void Disable(vtkRenderer* renderer);
+  void Restore(vtkRenderer* renderer);
   ///@}
 
   /**
-   * When all is drawn: FXAA where it was taken, and then `drawKept` with the pixels as they were before.
+   * When all is drawn: FXAA where it was on, and then `drawKept` with the pixels as they were before.
    */
   void Apply(vtkRenderer* renderer, const std::function<void(vtkTextureObject*)>& drawKept);
 
@@ -38,7 +38,7 @@ public:
 private:
   vtkNew<vtkOpenGLFXAAFilter> Filter;
   vtkNew<vtkTextureObject> Pixels;
-  bool Taken = false;
+  bool WasOn = false;
 };
 
 } // namespace rtglyphs

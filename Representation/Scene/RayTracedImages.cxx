@@ -9,7 +9,7 @@
 
 namespace
 {
-// Images of one pass that are kept: two eyes, and as many of a capture.
+// Most images that are kept: those of two eyes, and as many of a capture, in each pass.
 constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
 constexpr std::uint64_t keptFrames = 6;
@@ -53,12 +53,9 @@ public:
   {
     if (!this->Images.Device || this->Images.Device->Lost())
     {
-      this->Images.DropScene();
-      if (this->Images.Resources)
-      {
-        this->Images.Past += rtg::StatisticsOf(*this->Images.Resources);
-        this->Images.Resources.reset();
-      }
+      this->Images.Past = this->Images.GetStatistics();
+      this->Images.Scene.reset();
+      this->Images.Resources.reset();
       for (auto& [place, entry] : this->Images.Entries)
       {
         entry->Tracer.reset();

@@ -112,10 +112,9 @@ public:
 
   ///@{
   /**
-   * Give device memory back: the scene's, or the images', too. Counters and compiled programs stay. The number of the
-   * scene grows with each new one, whose sets are empty.
+   * Gives device memory back, but for counters and compiled programs. The number of the scene grows with each new one,
+   * whose sets are empty.
    */
-  void DropScene();
   void DropImages();
   std::uint64_t GetSceneNumber() const { return this->SceneNumber; }
   rtg::Scene* GetScene() { return this->Scene.get(); }
@@ -127,6 +126,7 @@ public:
 
 private:
   class Source;
+  void DropScene();
 
   const Commit CommitTo;
   std::shared_ptr<rtg::Device> Device;

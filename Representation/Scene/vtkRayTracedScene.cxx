@@ -124,7 +124,7 @@ vtkRayTracedScene* vtkRayTracedScene::Of(vtkRenderer* renderer)
     renderer->GetInformation()->Set(SCENE(), scene);
     scene->Renderer = renderer;
     // Before ParaView's own observers: those put pictures of several processes together, and smooth the whole.
-    renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::TakeSmoothing, 1.0f);
+    renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::DisableFXAA, 1.0f);
     renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::StartFrame);
     renderer->AddObserver(vtkCommand::EndEvent, scene, &vtkRayTracedScene::EndFrame);
   }
@@ -248,11 +248,11 @@ void vtkRayTracedScene::ReportFailure(const rtg::ProgressiveImage& image)
 
 //----------------------------------------------------------------------------
 // A client whose server renders has displays without data.
-void vtkRayTracedScene::TakeSmoothing()
+void vtkRayTracedScene::DisableFXAA()
 {
   if (this->Self->Displays.AnyVisible() && !HasForeignPass(this->Renderer))
   {
-    this->Self->FXAA.Take(this->Renderer);
+    this->Self->FXAA.Disable(this->Renderer);
   }
 }
 
@@ -292,7 +292,7 @@ void vtkRayTracedScene::StartFrame()
   const bool ground = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround;
   if (ground && !kind.Collective)
   {
-    // Of several ranks' pictures compositing takes no more than what lies before the bounds of their data.
+    // Compositing of several ranks' pictures leaves out what lies behind the bounds of their data.
     kind.GroundPass = self.Displays.Shows(opaque) ? opaque : translucent;
     kind.Shown = self.Displays.ComputeShownBounds();
   }
@@ -458,7 +458,7 @@ void vtkRayTracedScene::EndFrame()
 {
   Internals& self = *this->Self;
   self.Progress.EndFrame();
-  self.FXAA.GiveBack(this->Renderer);
+  self.FXAA.Restore(this->Renderer);
   if (self.Displays.GetAll().empty() || this->Renderer->GetSelector())
   {
     return;

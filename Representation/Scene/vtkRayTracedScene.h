@@ -74,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Of the next frame: it shows something for the time being, and is not to be the last. And whether the last frame did
+   * Says that the next frame shows something preliminary, and another one must follow. And whether the last frame did
    * not wait for programs.
    */
   void ExpectAnother();
@@ -133,7 +133,7 @@ public:
    */
   std::string GetStatistics();
 
-  /// Of a renderer's information: its scene.
+  /// Key of the scene in a renderer's information.
   static vtkInformationObjectBaseKey* SCENE();
 
 protected:
@@ -143,7 +143,7 @@ protected:
 private:
   static vtkRayTracedScene* New();
 
-  void TakeSmoothing();
+  void DisableFXAA();
   void StartFrame();
   void EndFrame();
   void Report(const std::string& message);

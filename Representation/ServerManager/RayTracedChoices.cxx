@@ -141,10 +141,9 @@ bool rtglyphs::RayTracedChoices::ShowsGlyphs(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedChoices::ShowsRayTraced(vtkSMProperty* property)
+bool rtglyphs::RayTracedChoices::ShowsRayTraced(vtkSMProxy* display)
 {
-  vtkSMProxy* owner = property->GetParent();
-  return owner && Shows(owner->GetTrueParentProxy(), "Ray Traced");
+  return Shows(display, "Ray Traced");
 }
 
 //----------------------------------------------------------------------------
@@ -172,7 +171,7 @@ bool rtglyphs::RayTracedChoices::IsDefault(vtkSMProperty* property)
 {
   RayTracedChoices* choices = Of(property);
   return choices && choices->Is(property->GetXMLName(), PLUGIN) &&
-    (vtkSMDoubleVectorProperty::SafeDownCast(property) || !ShowsRayTraced(property));
+    (vtkSMDoubleVectorProperty::SafeDownCast(property) || !ShowsRayTraced(property->GetParent()->GetTrueParentProxy()));
 }
 
 //----------------------------------------------------------------------------
@@ -187,15 +186,15 @@ void rtglyphs::RayTracedChoices::Reset(vtkSMProperty* property, bool found)
 //----------------------------------------------------------------------------
 // While the display is made ParaView sets its properties. What another client sets comes with its FromData; those that
 // 3D Glyphs has, too, that client may have chosen from the data.
-bool rtglyphs::RayTracedChoices::Follow(vtkSMProxy* glyphs, const std::string& name)
+bool rtglyphs::RayTracedChoices::PropertyChanging(vtkSMProxy* glyphs, const std::string& name)
 {
-  const bool same = this->InView && name == "ColorArrayName" && this->Coloring.HasSameArray(glyphs);
+  const bool other = name != "ColorArrayName" || (this->InView && this->Coloring.UpdateColorArray(glyphs));
   if (IsChoosing())
   {
     this->Chosen[name] = PLUGIN;
     return false;
   }
-  if (same || !this->InView)
+  if (!other || !this->InView)
   {
     return false;
   }
@@ -230,7 +229,7 @@ bool rtglyphs::RayTracedChoices::Follow(vtkSMProxy* glyphs, const std::string& n
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedChoices::Followed(vtkSMProxy* glyphs, const std::string& name, bool byUser)
+void rtglyphs::RayTracedChoices::PropertyChanged(vtkSMProxy* glyphs, const std::string& name, bool byUser)
 {
   if (name == "GlyphLocation")
   {
@@ -243,11 +242,11 @@ void rtglyphs::RayTracedChoices::Followed(vtkSMProxy* glyphs, const std::string&
   }
   if (name == "GlyphLocation")
   {
-    this->RenewAll(glyphs, Where::Lost);
+    this->RenewAll(glyphs, Renewed::Invalid);
   }
   if (name == "GlyphShape")
   {
-    this->Renew(glyphs, "GlyphLocation", Where::Everywhere);
+    this->Renew(glyphs, "GlyphLocation", Renewed::All);
   }
   if (name == "GlyphTensorColoring" || name == "GlyphTensorArray" || name == "GlyphHarmonicsArray")
   {
@@ -255,13 +254,13 @@ void rtglyphs::RayTracedChoices::Followed(vtkSMProxy* glyphs, const std::string&
   }
   if (name == "TubeRadiusArray")
   {
-    this->Renew(glyphs, "TubeRadius", Where::Everywhere);
+    this->Renew(glyphs, "TubeRadius", Renewed::All);
   }
   if (!byUser)
   {
     return;
   }
-  this->Coloring.TakeBack(glyphs, name);
+  this->Coloring.ClearOther(glyphs, name);
   if (decisive.count(name) && ShowsGlyphs(glyphs->GetTrueParentProxy()))
   {
     if (name == "GlyphShape")
@@ -279,7 +278,7 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
   const bool loading = IsLoadingState(glyphs);
   if (!std::exchange(this->InView, true))
   {
-    this->Coloring.HasSameArray(glyphs); // what colors it now ParaView has chosen
+    this->Coloring.UpdateColorArray(glyphs); // what colors it now ParaView has chosen
     // What is neither chosen nor the default of the XML comes from a state or the user's settings.
     auto properties = vtk::TakeSmartPointer(glyphs->NewPropertyIterator());
     for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
@@ -354,25 +353,25 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
 //----------------------------------------------------------------------------
 bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, bool otherTime)
 {
-  const bool renewed = this->RenewAll(glyphs, otherTime ? Where::Missing : Where::Lost);
+  const bool renewed = this->RenewAll(glyphs, otherTime ? Renewed::Unset : Renewed::Invalid);
   return (otherTime && this->RenewRadius(glyphs)) || renewed;
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedChoices::RenewAll(vtkSMProxy* glyphs, Where where)
+bool rtglyphs::RayTracedChoices::RenewAll(vtkSMProxy* glyphs, Renewed which)
 {
   bool renewed = false;
   auto properties = vtk::TakeSmartPointer(glyphs->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
   {
-    renewed |= this->Renew(glyphs, properties->GetKey(), where);
+    renewed |= this->Renew(glyphs, properties->GetKey(), which);
   }
   return renewed;
 }
 
 //----------------------------------------------------------------------------
 // Arrays that 3D Glyphs has, too, are the display's; one that scales is chosen when a mode takes it.
-bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, const std::string& name, Where where)
+bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, const std::string& name, Renewed which)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   vtkSMProperty* own = glyphs->GetProperty(name.c_str());
@@ -392,7 +391,7 @@ bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, const std::string& na
     unsigned int index = 0;
     return list && (!list->IsInDomain(array, index) || list->HasBetterThan(array));
   };
-  if (where != Where::Everywhere && !none && (where == Where::Missing || !isLost()))
+  if (which != Renewed::All && !none && (which == Renewed::Unset || !isLost()))
   {
     return false;
   }
@@ -418,15 +417,14 @@ bool rtglyphs::RayTracedChoices::RenewRadius(vtkSMProxy* glyphs)
   vtkSMProperty* radius = glyphs->GetProperty("TubeRadius");
   const double ratio = Suggested(radius) / vtkSMPropertyHelper(radius).GetAsDouble();
   const bool scaled = !List::Named(glyphs, "TubeRadiusArray").empty();
-  return (scaled ? mostExcess * ratio < 1.0 : ratio > mostExcess) &&
-    this->Renew(glyphs, "TubeRadius", Where::Everywhere);
+  return (scaled ? mostExcess * ratio < 1.0 : ratio > mostExcess) && this->Renew(glyphs, "TubeRadius", Renewed::All);
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedChoices::ChooseArrays(vtkSMProxy* glyphs)
 {
-  this->Renew(glyphs, "SelectOrientationVectors", Where::Everywhere);
-  this->Renew(glyphs, "SelectScaleArray", Where::Everywhere);
+  this->Renew(glyphs, "SelectOrientationVectors", Renewed::All);
+  this->Renew(glyphs, "SelectScaleArray", Renewed::All);
 }
 
 //----------------------------------------------------------------------------
@@ -511,7 +509,7 @@ void rtglyphs::RayTracedChoices::ChooseTubes(vtkSMProxy* display)
 
 //----------------------------------------------------------------------------
 // Processes that have the data have found the numbers of what is shown, and those that render get them.
-void rtglyphs::RayTracedChoices::TakeNumbers(vtkSMProxy* glyphs)
+void rtglyphs::RayTracedChoices::PullNumbers(vtkSMProxy* glyphs)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   vtkSMProperty* summary = glyphs->GetProperty("DataSummary");
@@ -537,7 +535,7 @@ void rtglyphs::RayTracedChoices::Update(vtkSMProxy* glyphs, vtkSMProxy* view, bo
 {
   if (visible)
   {
-    this->TakeNumbers(glyphs);
+    this->PullNumbers(glyphs);
     this->ChooseTubes(glyphs->GetTrueParentProxy());
     if (ShowsGlyphs(glyphs->GetTrueParentProxy()))
     {

@@ -60,11 +60,11 @@ public:
 
   ///@{
   /**
-   * A property of the representation is being set, before observers know, so that undoing both ends with the data's;
-   * whether the user has set it. And has been set: others depend on it.
+   * Before observers know that a property of the representation is set, so that undoing both ends with the data's:
+   * returns whether the user sets it. And after that: other properties depend on it.
    */
-  bool Follow(vtkSMProxy* glyphs, const std::string& name);
-  void Followed(vtkSMProxy* glyphs, const std::string& name, bool byUser);
+  bool PropertyChanging(vtkSMProxy* glyphs, const std::string& name);
+  void PropertyChanged(vtkSMProxy* glyphs, const std::string& name, bool byUser);
   ///@}
 
   /**
@@ -86,12 +86,12 @@ public:
 
   ///@{
   /**
-   * Of a display: its ray-traced representation (null: none), whether it shows that as glyphs, or as anything ray
+   * State of a display: its ray-traced representation (null: none), whether it shows that as glyphs, or as anything ray
    * traced, and whether it is one of ParaView's window; scripts set what they need.
    */
   VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
-  static bool ShowsGlyphs(vtkSMProxy* display);
-  static bool ShowsRayTraced(vtkSMProperty* property); // its display
+  VTKRAYTRACEDGLYPHS_EXPORT static bool ShowsGlyphs(vtkSMProxy* display);
+  VTKRAYTRACEDGLYPHS_EXPORT static bool ShowsRayTraced(vtkSMProxy* display);
   static bool IsInWindow(vtkSMProxy* display);
   ///@}
 
@@ -102,24 +102,24 @@ private:
     PLUGIN,
     USER
   };
-  // Which of the values that are not the user's are chosen anew.
-  enum class Where
+  // Values that Renew() chooses anew, unless they are the user's.
+  enum class Renewed
   {
-    Everywhere,
-    Lost,   // arrays that are in no list of arrays any more, and what Missing names
-    Missing // None, and what stands in the XML, where the data had nothing to choose
+    All,
+    Invalid, // arrays that are in no list of arrays any more, and what Unset names
+    Unset    // None, and what stands in the XML, where the data had nothing to choose
   };
 
   static RayTracedChoices* Of(vtkSMProperty* property);
   bool Is(const std::string& name, By by) const;
-  bool Renew(vtkSMProxy* glyphs, const std::string& name, Where where);
-  bool RenewAll(vtkSMProxy* glyphs, Where where);
+  bool Renew(vtkSMProxy* glyphs, const std::string& name, Renewed which);
+  bool RenewAll(vtkSMProxy* glyphs, Renewed which);
   bool RenewRadius(vtkSMProxy* glyphs);
   void ChooseArrays(vtkSMProxy* glyphs);
   void ChooseShape(vtkSMProxy* glyphs);
   void ChooseScaleMode(vtkSMProxy* glyphs);
   void ChooseTubes(vtkSMProxy* display);
-  static void TakeNumbers(vtkSMProxy* glyphs);
+  static void PullNumbers(vtkSMProxy* glyphs);
 
   std::map<std::string, By> Chosen; // by name
   RayTracedColoring Coloring;

@@ -76,7 +76,7 @@ void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
 }
 
-// By an array of the data.
+// Whether an array of the data orients the glyphs.
 bool AreOriented(vtkSMProxy* glyphs)
 {
   auto* list = List::Of(glyphs, "SelectOrientationVectors");
@@ -138,15 +138,15 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedColoring::HasSameArray(vtkSMProxy* glyphs)
+bool rtglyphs::RayTracedColoring::UpdateColorArray(vtkSMProxy* glyphs)
 {
   const std::string array = ColorArrayOf(glyphs, 3) + ColorArrayOf(glyphs);
-  return std::exchange(this->ColoredBy, array) == array;
+  return std::exchange(this->ColoredBy, array) != array;
 }
 
 //----------------------------------------------------------------------------
 // Directions and arrays do not color the same glyphs.
-void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string& chosen)
+void rtglyphs::RayTracedColoring::ClearOther(vtkSMProxy* glyphs, const std::string& chosen)
 {
   this->Wanted &= chosen != "ColorArrayName" && chosen != "GlyphTensorColoring" && chosen != "GlyphDirectionColoring";
   vtkSMProxy* display = glyphs->GetTrueParentProxy();

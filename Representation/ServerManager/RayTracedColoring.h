@@ -22,15 +22,15 @@ public:
   void Begin(vtkSMProxy* glyphs);
 
   /**
-   * Whether ColorArrayName, which was set, names the array as before: paraview.simple sets others of its five strings
-   * whenever an input is set.
+   * ColorArrayName was set; returns whether it names another array than before: paraview.simple sets others of its five
+   * strings whenever an input is set.
    */
-  bool HasSameArray(vtkSMProxy* glyphs);
+  bool UpdateColorArray(vtkSMProxy* glyphs);
 
   /**
-   * The user has set a property of the glyphs: of directions and an array the one chosen before is taken back.
+   * The user has set a property of the glyphs. Of directions and an array the one that is not `chosen` colors nothing.
    */
-  void TakeBack(vtkSMProxy* glyphs, const std::string& chosen);
+  void ClearOther(vtkSMProxy* glyphs, const std::string& chosen);
 
   /**
    * After an update of the view, before its render.

@@ -160,7 +160,7 @@ public:
   }
 
 private:
-  // Of the array of points of that name, or else of cells. Where there is none, many lines are thinner.
+  // The largest value of the point array of that name, or else of the cell array. Without one, many lines are thinner.
   double LargestValue()
   {
     vtkSMProperty* named = this->GetRequiredProperty("Array");
@@ -235,7 +235,9 @@ public:
 
   void SaveState(vtkPVXMLElement* parent, const char* name, const char* uid, int saveDomains) override
   {
-    if (rtglyphs::RayTracedChoices::ShowsRayTraced(this) || !(this->GetInformationOnly() || this->IsValueDefault()))
+    vtkSMProxy* owner = this->GetParent();
+    const bool shown = owner && rtglyphs::RayTracedChoices::ShowsRayTraced(owner->GetTrueParentProxy());
+    if (shown || !(this->GetInformationOnly() || this->IsValueDefault()))
     {
       Base::SaveState(parent, name, uid, saveDomains);
     }

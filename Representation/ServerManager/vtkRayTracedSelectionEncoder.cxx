@@ -34,8 +34,8 @@ protected:
 };
 vtkStandardNewMacro(Factory);
 
-// Moves what is marked in a selection of cells to one of points, or the reverse; false: there is nothing.
-bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
+// Moves ids of points out of a selection of cells, or the reverse, into another one; false: there are none.
+bool MoveForeignIds(vtkSelectionNode* from, vtkSelectionNode* to)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(from->GetSelectionList());
   const bool cells = from->GetFieldType() == vtkSelectionNode::CELL;
@@ -43,19 +43,19 @@ bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
   {
     return false;
   }
-  vtkNew<vtkIdTypeArray> kept, taken;
+  vtkNew<vtkIdTypeArray> kept, moved;
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     const vtkIdType id = ids->GetValue(i);
-    (rtglyphs::RayTracedArrays::IsCellId(id) ? taken : kept)->InsertNextValue(rtglyphs::RayTracedArrays::InputId(id));
+    (rtglyphs::RayTracedArrays::IsCellId(id) ? moved : kept)->InsertNextValue(rtglyphs::RayTracedArrays::InputId(id));
   }
-  if (taken->GetNumberOfValues() == 0)
+  if (moved->GetNumberOfValues() == 0)
   {
     return false;
   }
   to->GetProperties()->Copy(from->GetProperties());
   to->SetFieldType(cells ? vtkSelectionNode::POINT : vtkSelectionNode::CELL);
-  to->SetSelectionList(taken);
+  to->SetSelectionList(moved);
   from->SetSelectionList(kept);
   return true;
 }
@@ -81,14 +81,14 @@ bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, 
   for (unsigned int i = rawSelection->GetNumberOfNodes(); i-- > 0;)
   {
     vtkSelectionNode* node = rawSelection->GetNode(i);
-    vtkNew<vtkSelectionNode> marked;
-    if (TakeMarked(node, marked))
+    vtkNew<vtkSelectionNode> other;
+    if (MoveForeignIds(node, other))
     {
       if (node->GetSelectionList()->GetNumberOfTuples() == 0)
       {
         rawSelection->RemoveNode(i);
       }
-      rawSelection->AddNode(marked);
+      rawSelection->AddNode(other);
     }
   }
   return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed, selectedRepresentations,

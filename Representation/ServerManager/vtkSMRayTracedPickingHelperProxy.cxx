@@ -17,12 +17,6 @@ vtkStandardNewMacro(vtkSMRayTracedPickingHelperProxy);
 
 namespace
 {
-bool ShowsRayTraced(vtkSMProxy* view, vtkSMProxy* input)
-{
-  vtkSMRayTracedViewProxy* rayTraced = vtkSMRayTracedViewProxy::Of(view);
-  return rayTraced && rayTraced->GetShownDisplay(input);
-}
-
 std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 3>& world)
 {
   renderer->SetWorldPoint(world[0], world[1], world[2], 1.0);
@@ -85,13 +79,12 @@ bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
   {
     auto* view = vtkSMRenderViewProxy::SafeDownCast(views->GetProxy());
     vtkRenderer* renderer = view ? view->GetRenderer() : nullptr;
-    int pixel[2];
-    if (!renderer || !ShowsRayTraced(view, input) || !FindPixel(renderer, a, b, pixel))
-    {
-      continue;
-    }
     vtkSMRayTracedViewProxy* owner = vtkSMRayTracedViewProxy::Of(view);
-    return owner && owner->FindPlace(pixel[0], pixel[1], place);
+    int pixel[2];
+    if (renderer && owner && owner->GetShownDisplay(input) && FindPixel(renderer, a, b, pixel))
+    {
+      return owner->FindPlace(pixel[0], pixel[1], place);
+    }
   }
   return false;
 }

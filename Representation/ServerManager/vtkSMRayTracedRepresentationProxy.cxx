@@ -28,7 +28,7 @@ vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 }
 
 //----------------------------------------------------------------------------
-// Of a display's representations at most one is visible.
+// At most one of a display's representations is visible.
 bool vtkSMRayTracedRepresentationProxy::IsShown()
 {
   auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
@@ -62,12 +62,12 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
-  const bool byUser = flag && this->Choices.Follow(this, name);
+  const bool byUser = flag && this->Choices.PropertyChanging(this, name);
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && strcmp(name, "Input") == 0)
   {
-    this->TakeMolecule();
-    this->TakeSelection();
+    this->ConnectMolecule();
+    this->ConnectSelection();
   }
   if (flag && strcmp(name, "Section") == 0)
   {
@@ -78,14 +78,14 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   }
   if (flag)
   {
-    this->Choices.Followed(this, name, byUser);
+    this->Choices.PropertyChanged(this, name, byUser);
   }
 }
 
 //----------------------------------------------------------------------------
 // Of a molecule's data information ParaView's domains know neither bounds nor arrays: the input, also of what only
 // holds properties, is what Molecule To Lines makes of it.
-void vtkSMRayTracedRepresentationProxy::TakeMolecule()
+void vtkSMRayTracedRepresentationProxy::ConnectMolecule()
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
   const vtkSMPropertyHelper molecule(display, "Input", /*quiet=*/true);
@@ -111,7 +111,7 @@ void vtkSMRayTracedRepresentationProxy::TakeMolecule()
 //----------------------------------------------------------------------------
 // ParaView's filter that extracts what is selected of the input; with it as an input a display is brought up to date,
 // on all processes, when the selection changes.
-void vtkSMRayTracedRepresentationProxy::TakeSelection()
+void vtkSMRayTracedRepresentationProxy::ConnectSelection()
 {
   const vtkSMPropertyHelper input(this, "Input");
   if (auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()))

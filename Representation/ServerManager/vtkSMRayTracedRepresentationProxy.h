@@ -48,8 +48,8 @@ protected:
 
 private:
   bool IsShown();
-  void TakeMolecule();
-  void TakeSelection();
+  void ConnectMolecule();
+  void ConnectSelection();
   void ChooseDefaults();
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;

@@ -30,13 +30,13 @@ vtkStandardNewMacro(vtkSMRayTracedViewProxy);
 
 namespace
 {
-// By view, which keeps its own. A script that exits connected leaves proxies that end after what is static.
+// Owners by view, which keeps its own. Proxies of a script that exits connected outlive static objects.
 auto& owners = *new std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*>;
 
 // The present speed is the mean of so long to twice as long: of a step's fraction, but no more seconds.
 constexpr double fractionOfSpeed = 0.25, secondsOfSpeed = 20.0;
 
-// Of the wall clock, since some fixed time.
+// Seconds of the wall clock since a fixed time.
 double Now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -108,8 +108,8 @@ vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMProxy
     owners[view] = owner;
   }
   owner->Displays.emplace_back(display);
-  settings->AddObserver(vtkCommand::PropertyModifiedEvent, owner.Get(), &vtkSMRayTracedViewProxy::Take);
-  settings->AddObserver(vtkCommand::UpdatePropertyEvent, owner.Get(), &vtkSMRayTracedViewProxy::Push);
+  settings->AddObserver(vtkCommand::PropertyModifiedEvent, owner.Get(), &vtkSMRayTracedViewProxy::DisplayModified);
+  settings->AddObserver(vtkCommand::UpdatePropertyEvent, owner.Get(), &vtkSMRayTracedViewProxy::DisplayPushed);
   return owner;
 }
 
@@ -120,11 +120,11 @@ void vtkSMRayTracedViewProxy::Remove(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-// A display has another value.
-void vtkSMRayTracedViewProxy::Take(vtkObject* settings, unsigned long, void* name)
+// A display's property has another value, which the view's gets.
+void vtkSMRayTracedViewProxy::DisplayModified(vtkObject* settings, unsigned long, void* name)
 {
   vtkSMProperty* property = vtkSMProxy::SafeDownCast(settings)->GetProperty(static_cast<const char*>(name));
-  if (!this->Sharing && this->Has(property))
+  if (!this->Sharing && this->IsOfDisplay(property))
   {
     this->GetProperty(static_cast<const char*>(name))->Copy(property);
     if (this->GetSession()->IsProcessingRemoteNotification())
@@ -135,11 +135,11 @@ void vtkSMRayTracedViewProxy::Take(vtkObject* settings, unsigned long, void* nam
 }
 
 //----------------------------------------------------------------------------
-// It is to be used.
-void vtkSMRayTracedViewProxy::Push(vtkObject* settings, unsigned long, void* name)
+// A display's property is pushed to the servers, and so is the view's.
+void vtkSMRayTracedViewProxy::DisplayPushed(vtkObject* settings, unsigned long, void* name)
 {
   vtkSMProperty* property = vtkSMProxy::SafeDownCast(settings)->GetProperty(static_cast<const char*>(name));
-  if (this->Has(property))
+  if (this->IsOfDisplay(property))
   {
     this->UpdateVTKObjects();
     if (strcmp(property->GetClassName(), "vtkSMProperty") == 0)
@@ -151,7 +151,7 @@ void vtkSMRayTracedViewProxy::Push(vtkObject* settings, unsigned long, void* nam
 
 //----------------------------------------------------------------------------
 // Whether it is of a display that has not gone to another view.
-bool vtkSMRayTracedViewProxy::Has(vtkSMProperty* property)
+bool vtkSMRayTracedViewProxy::IsOfDisplay(vtkSMProperty* property)
 {
   vtkSMProxy* display = property->GetParent()->GetTrueParentProxy();
   return std::find(this->Displays.begin(), this->Displays.end(), display) != this->Displays.end();
@@ -191,7 +191,7 @@ void vtkSMRayTracedViewProxy::SetPropertyModifiedFlag(const char* name, int flag
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && this->View && !this->Sharing)
   {
-    this->FollowQuality(name);
+    this->ApplyQuality(name);
     this->Sharing = true;
     for (vtkSMProxy* display : this->Displays)
     {
@@ -206,7 +206,7 @@ void vtkSMRayTracedViewProxy::SetPropertyModifiedFlag(const char* name, int flag
 
 //----------------------------------------------------------------------------
 // The properties that a quality's hints name, with their values.
-std::vector<std::pair<std::string, int>> vtkSMRayTracedViewProxy::MeantBy(int quality)
+std::vector<std::pair<std::string, int>> vtkSMRayTracedViewProxy::SettingsOfQuality(int quality)
 {
   std::vector<std::pair<std::string, int>> meant;
   vtkPVXMLElement* hints = this->GetProperty("RenderingQuality")->GetHints();
@@ -224,10 +224,10 @@ std::vector<std::pair<std::string, int>> vtkSMRayTracedViewProxy::MeantBy(int qu
 
 //----------------------------------------------------------------------------
 // One of the properties that gets another value than the quality's ends that.
-void vtkSMRayTracedViewProxy::FollowQuality(const std::string& name)
+void vtkSMRayTracedViewProxy::ApplyQuality(const std::string& name)
 {
   vtkSMPropertyHelper quality(this, "RenderingQuality");
-  for (const auto& [property, value] : this->MeantBy(quality.GetAsInt()))
+  for (const auto& [property, value] : this->SettingsOfQuality(quality.GetAsInt()))
   {
     vtkSMPropertyHelper helper(this, property.c_str());
     if (name == "RenderingQuality")
@@ -275,7 +275,7 @@ bool vtkSMRayTracedViewProxy::IsRenderedRemotely()
 }
 
 //----------------------------------------------------------------------------
-// Of the process that renders; with remote rendering nothing happens on the client, so the server's first rank reports.
+// The process that renders answers; with remote rendering that is the server's first rank.
 std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, bool ofAllRanks)
 {
   const bool remote = this->IsRenderedRemotely();
@@ -384,7 +384,7 @@ double vtkSMRayTracedViewProxy::GetSecondsLeft() const
 double vtkSMRayTracedViewProxy::GetSecondsOfQuality(int quality)
 {
   int mode = -1, samples = 0;
-  for (const auto& [property, value] : this->MeantBy(quality))
+  for (const auto& [property, value] : this->SettingsOfQuality(quality))
   {
     mode = property == "ShadingMode" ? value : mode;
     samples = property == "SamplesPerPixel" ? value : samples;

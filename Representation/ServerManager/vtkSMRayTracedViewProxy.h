@@ -30,7 +30,7 @@ public:
   vtkTypeMacro(vtkSMRayTracedViewProxy, vtkSMProxy);
 
   /**
-   * Of a view; null: nothing was in it yet.
+   * The owner of a view's settings; null: nothing ray traced was in it yet.
    */
   static vtkSMRayTracedViewProxy* Of(vtkSMProxy* view);
 
@@ -91,11 +91,11 @@ protected:
 private:
   bool IsRenderedRemotely();
   std::string Ask(const vtkClientServerStream& question, bool ofAllRanks); // empty: no answer
-  std::vector<std::pair<std::string, int>> MeantBy(int quality);
-  void FollowQuality(const std::string& name);
-  void Take(vtkObject* settings, unsigned long, void* name);
-  void Push(vtkObject* settings, unsigned long, void* name);
-  bool Has(vtkSMProperty* property);
+  std::vector<std::pair<std::string, int>> SettingsOfQuality(int quality);
+  void ApplyQuality(const std::string& name);
+  void DisplayModified(vtkObject* settings, unsigned long, void* name);
+  void DisplayPushed(vtkObject* settings, unsigned long, void* name);
+  bool IsOfDisplay(vtkSMProperty* property);
   void Rendered(vtkObject*, unsigned long, void* interactive);
 
   vtkWeakPointer<vtkSMProxy> View;

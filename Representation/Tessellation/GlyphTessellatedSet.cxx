@@ -255,7 +255,7 @@ private:
     return glm::dquat(r.w, r.x, r.y, r.z);
   }
 
-  // Of a place in the glyph's frame.
+  // Position of a place in the glyph's frame.
   glm::dvec3 PlaceOf(std::size_t glyph, const glm::vec3& place) const
   {
     glm::dvec3 center(this->All.centers[glyph]);
@@ -377,8 +377,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
         "Glyphs of the shapes Spherical Harmonics, Normal Stress and Fourth-Order Tensor are left out of the exported "
         "file, because they have no triangles. Choose another GlyphShape, or save a screenshot.");
   }
-  const auto empty = [](const rtglyphs::GlyphTessellatedPart& part) { return part.Glyphs.empty(); };
-  set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
+  std::erase_if(set.Parts, [](const rtglyphs::GlyphTessellatedPart& part) { return part.Glyphs.empty(); });
   if (!set.Parts.empty() && bothSigns)
   {
     messages.push_back("GlyphTensorColoring Sign gives some of the glyphs two colors, which exported instances "

@@ -35,10 +35,10 @@ public:
     , Lines(lines)
     , Hidden(hidden)
     , How(settings)
-    , Motion(lines, WithoutTurns(settings.Motion))
+    , Motion(lines, settings.Motion)
     , Radii(rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, settings, this->RadiiOfCells))
-    , LackingRadii(rtglyphs::RayTracedBlocks::Lacking(this->Radii))
-    , RankLacksRadii(!this->Radii && rtglyphs::RayTracedBlocks::IsElsewhere(lines, settings.RadiusArray))
+    , MissingRadii(rtglyphs::RayTracedBlocks::MissingTuples(this->Radii))
+    , RankLacksRadii(!this->Radii && rtglyphs::RayTracedBlocks::IsOnOtherRanks(lines, settings.RadiusArray))
   {
     this->Moves = this->Motion.On();
   }
@@ -61,13 +61,7 @@ public:
   }
 
 private:
-  static rtglyphs::GlyphMotion::Settings WithoutTurns(rtglyphs::GlyphMotion::Settings settings)
-  {
-    settings.AngularVelocity.clear(); // points do not rotate
-    return settings;
-  }
-
-  // Of the covariances in the world, and their largest half-axes: negative if a matrix has no root.
+  // Covariances in the world, and their largest half-axes: negative if a matrix has no root.
   void FindEllipsoids()
   {
     constexpr double rounding = 1e-6;
@@ -122,7 +116,7 @@ private:
       iterator->GetCurrentCell(size, points);
       const vtkIdType cell = this->CellOf(begin);
       if (size > 0 && !this->Hidden.Has(points[0]) && !this->RankLacksRadii &&
-        !this->LackingRadii.Has(this->RadiiOfCells ? cell : points[0]))
+        !this->MissingRadii.Has(this->RadiiOfCells ? cell : points[0]))
       {
         balls.clear();
         for (vtkIdType i = 0; i < size; ++i)
@@ -209,9 +203,9 @@ private:
   void ReportMessages()
   {
     this->Out.Messages = this->Motion.Messages();
-    rtglyphs::RayTracedBlocks::ReportLacking(
+    rtglyphs::RayTracedBlocks::ReportMissing(
       this->Lines, this->How.RadiusArray, this->Hidden, "TubeRadiusArray", "have no tubes", this->Out.Messages);
-    rtglyphs::GlyphMotion::ReportLacking(this->Lines, WithoutTurns(this->How.Motion), this->Hidden, this->Out.Messages);
+    rtglyphs::GlyphMotion::ReportMissing(this->Lines, this->How.Motion, this->Hidden, this->Out.Messages);
     if (!rtglyphs::RayTracedArrays::IsNone(this->How.RadiusArray) && !this->Radii && !this->RankLacksRadii)
     {
       this->Out.Messages.push_back("There is no array '" + this->How.RadiusArray +
@@ -254,7 +248,7 @@ private:
   rtg::GlyphMotion OfPoints;
   bool RadiiOfCells = false;
   vtkDataArray* Radii;
-  const rtglyphs::RayTracedRanges& LackingRadii; // points, or cells
+  const rtglyphs::RayTracedRanges& MissingRadii; // points, or cells
   const bool RankLacksRadii;
   std::vector<std::pair<rtg::SymmetricTensor, double>> Ellipsoids; // of points, or cells; none: tubes are round
   rtglyphs::RayTracedTubeBuilder::Result Out;
@@ -266,7 +260,6 @@ Settings rtglyphs::RayTracedTubeBuilder::Settings::Effective() const
 {
   Settings effective = *this;
   effective.Motion = this->Motion.Effective();
-  effective.Motion.AngularVelocity.clear();
   if (rtglyphs::RayTracedArrays::IsNone(this->RadiusArray))
   {
     effective.RadiusArray.clear();

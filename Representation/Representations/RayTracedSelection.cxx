@@ -1,4 +1,4 @@
-#include "RayTracedSelected.h"
+#include "RayTracedSelection.h"
 
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
@@ -19,22 +19,9 @@
 
 namespace
 {
-// On all ranks alike, whether or not any of it is on this one. ParaView puts a filter that does nothing behind the one
-// that extracts what is selected, whose second input is the selection.
-bool HasSelection(vtkAlgorithm* representation, int port)
-{
-  vtkAlgorithm* producer =
-    representation->GetNumberOfInputConnections(port) > 0 ? representation->GetInputAlgorithm(port, 0) : nullptr;
-  while (producer && producer->GetNumberOfInputPorts() == 1 && producer->GetNumberOfInputConnections(0) > 0)
-  {
-    producer = producer->GetInputAlgorithm(0, 0);
-  }
-  return producer && producer->GetNumberOfInputPorts() > 1 && producer->GetNumberOfInputConnections(1) > 0;
-}
-
 using Id = std::pair<unsigned int, vtkTypeInt64>; // flat index of the block, number in it
 
-// Those of points, and EncodeCellId() those of cells, sorted.
+// Appends ids of points, and of cells as EncodeCellId() has them.
 void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
 {
   if (!extracted)
@@ -67,16 +54,25 @@ Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataAr
     });
   return array;
 }
+}
 
-// The tree with an array RayTracedArrays::Selected of the points of each leaf, 1 where the extracted data have the
-// point or the cell that the glyph stands for; lines have one of their cells, too. Data of several ranks, some without
-// a selected point, are put together, so all have the array; `gathered` itself where `extracted` is null.
-vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* gathered, vtkDataObject* extracted)
+//----------------------------------------------------------------------------
+// ParaView puts a filter that does nothing behind the one that extracts what is selected, whose second input is the
+// selection.
+bool rtglyphs::RayTracedSelection::Exists(vtkAlgorithm* representation, int port)
 {
-  if (!extracted)
+  vtkAlgorithm* producer =
+    representation->GetNumberOfInputConnections(port) > 0 ? representation->GetInputAlgorithm(port, 0) : nullptr;
+  while (producer && producer->GetNumberOfInputPorts() == 1 && producer->GetNumberOfInputConnections(0) > 0)
   {
-    return gathered;
+    producer = producer->GetInputAlgorithm(0, 0);
   }
+  return producer && producer->GetNumberOfInputPorts() > 1 && producer->GetNumberOfInputConnections(1) > 0;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedSelection::Mark(vtkDataObject* gathered, vtkDataObject* extracted)
+{
   std::vector<Id> ids;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(extracted))
   {
@@ -108,28 +104,4 @@ vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* gathered, vtkDataObject* extr
       }
       return marked;
     });
-}
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedSelected::Take(vtkAlgorithm* representation, int port, vtkDataObject* extracted)
-{
-  this->Extracted = HasSelection(representation, port) ? extracted : nullptr;
-}
-
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedSelected::Gather(vtkDataObject* input,
-  const std::array<int, 4>& options, bool marks, const std::function<vtkSmartPointer<vtkDataObject>()>& gather)
-{
-  // Sources that fill the same data object anew differ by the time of its update.
-  const std::array<vtkMTimeType, 2> times{ input->GetUpdateTime(), input->GetMTime() };
-  if (!this->Gathered || input != this->Input || times != this->Times || options != this->Options)
-  {
-    this->Gathered = nullptr; // also where the memory does not suffice
-    this->Gathered = gather();
-    this->Input = input;
-    this->Times = times;
-    this->Options = options;
-  }
-  return Mark(this->Gathered, marks ? this->Extracted.Get() : nullptr);
 }
