@@ -30,6 +30,14 @@ constexpr float smallest = 8.0f, large = 24.0f;
 // samples at pixels' centers would leave dots.
 constexpr double sharpBlur = 1.0, widestBlur = 3.0;
 
+// A side of two pixels: without a line, at the edge of a glyph, or at a step or crease within one.
+enum class Line : char
+{
+  None,
+  Outline,
+  Inner
+};
+
 // The image's pixels as places in space, from their centers' depths.
 class Surface
 {
@@ -88,27 +96,27 @@ public:
     const double depth = this->ViewDepth(at);
     const double defocus = (this->camera_.focusDepth - depth) / (this->camera_.focusDepth - this->camera_.lensDepth);
     const double circle = this->camera_.lensRadius > 0.0 ? 2.0 * this->camera_.lensRadius * std::abs(defocus) : 0.0;
+    return std::max(circle, this->PathLength(at)) / this->PixelSize(depth);
+  }
+  double PathLength(std::size_t at) const
+  {
     const auto& pathLength = this->sets_.pathLength;
-    const double path = pathLength ? pathLength(this->image_.setIds[at], this->image_.glyphIds[at]) : 0.0;
-    return std::max(circle, path) / this->PixelSize(depth);
+    return pathLength ? pathLength(this->image_.setIds[at], this->image_.glyphIds[at]) : 0.0;
   }
 
-  // Whether there is a line between a pixel and the next one along (dx, dy), both of which the image has.
-  bool HasBorder(int x, int y, int dx, int dy) const
+  // The line between a pixel and the next one along (dx, dy), both of which the image has.
+  Line Between(int x, int y, int dx, int dy) const
   {
     const int nextX = x + dx, nextY = y + dy;
     const bool hit = this->IsHit(x, y);
-    if (hit != this->IsHit(nextX, nextY))
+    if (hit != this->IsHit(nextX, nextY) || (hit && !this->IsSame(x, y, nextX, nextY)))
     {
-      return true;
+      return Line::Outline;
     }
-    if (!hit)
+    // The depths of what moves are those of several moments.
+    if (!hit || this->PathLength(this->At(x, y)) > 0.0)
     {
-      return false;
-    }
-    if (!this->IsSame(x, y, nextX, nextY))
-    {
-      return true;
+      return Line::None;
     }
     // Slopes before, between and behind, in pixels of depth a pixel.
     const double here = this->ViewDepth(x, y), next = this->ViewDepth(nextX, nextY);
@@ -117,27 +125,28 @@ public:
     const std::optional<double> behind = this->Slope(nextX, nextY, dx, dy, pixel);
     if (!before || !behind)
     {
-      return false;
+      return Line::None;
     }
     const double between = (next - here) / pixel;
     const double step =
       leastStep + std::max(this->Steepness(x, y, dy, dx, pixel), this->Steepness(nextX, nextY, dy, dx, pixel));
     if (between > std::max(*before, *behind) + step || between < std::min(*before, *behind) - step)
     {
-      return true;
+      return Line::Inner;
     }
     // The edge may lie in a pixel that both pairs have: the first one, which does not bend, has no line.
-    const double across = this->MeanSlope(x, y, dy, dx, pixel),
-                 nextAcross = this->MeanSlope(nextX, nextY, dy, dx, pixel);
+    const double across = this->MeanSlope(x - dx, y - dy, dy, dx, pixel),
+                 nextAcross = this->MeanSlope(nextX + dx, nextY + dy, dy, dx, pixel);
     const double turn = Turn(*before, across, *behind, nextAcross);
     if (turn < glm::radians(creaseAngle) || Turn(*before, across, between, across) < 0.1 * turn)
     {
-      return false;
+      return Line::None;
     }
     const std::optional<double> first = this->Slope(x - 2 * dx, y - 2 * dy, dx, dy, pixel);
     const std::optional<double> last = this->Slope(nextX + dx, nextY + dy, dx, dy, pixel);
-    return first && last &&
+    const bool sharp = first && last &&
       std::max(Turn(*first, across, *before, across), Turn(*behind, nextAcross, *last, nextAcross)) < flatness * turn;
+    return sharp ? Line::Inner : Line::None;
   }
 
 private:
@@ -211,14 +220,45 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
 {
   const std::size_t width = image.width, pixels = width * image.height;
   Lines lines{ std::vector<float>(pixels), std::vector<float>(pixels) };
+  std::vector<Line> right(pixels, Line::None), above = right;
   ParallelFor(image.height,
     [&](std::size_t row)
     {
       const int y = static_cast<int>(row);
       for (int x = 0; x < static_cast<int>(width); ++x)
       {
-        lines.right[row * width + x] = x + 1 < static_cast<int>(width) && surface.HasBorder(x, y, 1, 0);
-        lines.above[row * width + x] = row + 1 < image.height && surface.HasBorder(x, y, 0, 1);
+        if (x + 1 < static_cast<int>(width))
+        {
+          right[row * width + x] = surface.Between(x, y, 1, 0);
+        }
+        if (row + 1 < image.height)
+        {
+          above[row * width + x] = surface.Between(x, y, 0, 1);
+        }
+      }
+    });
+  // Inner lines that are found in less than three of five pixels along them would be dotted.
+  ParallelFor(image.height,
+    [&](std::size_t row)
+    {
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        const std::size_t i = row * width + x;
+        int near = 0;
+        if (right[i] == Line::Inner || above[i] == Line::Inner)
+        {
+          for (std::size_t y = row - std::min<std::size_t>(row, 2); y < std::min<std::size_t>(row + 3, image.height);
+               ++y)
+          {
+            for (std::size_t j = y * width + x - std::min<std::size_t>(x, 2); j < y * width + std::min(x + 3, width);
+                 ++j)
+            {
+              near += (right[j] == Line::Inner) + (above[j] == Line::Inner);
+            }
+          }
+        }
+        lines.right[i] = right[i] == Line::Outline || (right[i] == Line::Inner && near > 3);
+        lines.above[i] = above[i] == Line::Outline || (above[i] == Line::Inner && near > 3);
       }
     });
 
