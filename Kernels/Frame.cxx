@@ -20,7 +20,7 @@ constexpr std::uint32_t maxShares = 1u << 20;  ///< of an image
 // Of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
 {
-  return settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
+  return settings.plannedSamples ? settings.plannedSamples : settings.samples;
 }
 
 // Secondary rays per sample.
@@ -120,7 +120,6 @@ void CheckSettings(const TraceSettings& settings)
     }
   };
   check("the samples per pixel", settings.samples, 1u, maxSamples);
-  check("the number of the first sample", settings.firstSample, 0u, maxSamples);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
   check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
   check("the number of paths a sample", settings.paths, 1u, 64u);
@@ -225,8 +224,7 @@ void FillScene(device::FrameRecord& frame, const Scene::State& scene)
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
 {
   const std::size_t cameraRays = std::size_t(1) << TraitsOf(settings).atOnce;
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * RaysPerSample(settings)));
-  return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
+  return static_cast<std::uint32_t>(std::max<std::size_t>(1, cameraRays / (pixels * RaysPerSample(settings))));
 }
 
 std::uint32_t SamplesAtFirst(const TraceSettings& settings)

@@ -102,9 +102,9 @@ public:
     return this->Own.Tracer->Trace(*this->Images.Scene, view.camera, view.lights, settings, view.pass, interrupt);
   }
 
-  rtg::Image Resume(const rtg::Interrupt& interrupt) override
+  rtg::Image Resume(std::uint32_t samples, const rtg::Interrupt& interrupt) override
   {
-    return this->Own.Tracer->Resume(*this->Images.Scene, interrupt);
+    return this->Own.Tracer->Resume(*this->Images.Scene, samples, interrupt);
   }
 
   rtg::Image

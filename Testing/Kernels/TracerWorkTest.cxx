@@ -193,8 +193,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     wanted.features = wanted.keepSums = true;
     wanted.samples = 2;
     tracer.Trace(scene, this->camera, this->lights, wanted);
-    wanted.firstSample = 2;
-    const Image image = tracer.Trace(scene, this->camera, this->lights, wanted);
+    const Image image = tracer.Resume(scene, 4);
     const std::size_t pixels = 101 * 100;
     seen.colors.assign(image.color, image.color + pixels);
     seen.glyphs.assign(image.glyphIds, image.glyphIds + pixels);
@@ -310,7 +309,7 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
   // At first the interrupt ends the wait for the program.
   while (image.samples == 0)
   {
-    image = this->tracer->Resume(this->scene, stop);
+    image = this->tracer->Resume(this->scene, this->settings.samples, stop);
   }
   EXPECT_LE(image.samples, 32u);
   this->settings.paths = 64;
