@@ -189,34 +189,36 @@ Specialization SpecializationFor(const TraceSettings& settings)
   return specialization;
 }
 
-void FillConstants(Constants& constants, const Scene::State& scene)
+void FillConstants(Constants& constants, const SceneRecords& scene)
 {
-  constants.alone = scene.records.size() == 1;
-  constants.moves = scene.moves;
-  constants.rayQueries = scene.structure == Structure::Boxes;
+  constants.alone = scene.sets.size() == 1;
+  constants.rayQueries = !scene.topLevels.empty();
   constants.inAllSets = ~device::RUN_TIME_FEATURES;
   constants.inSomeSets = device::RUN_TIME_FEATURES;
-  for (const device::GlyphSetRecord& record : scene.records)
+  for (const device::GlyphSetRecord& record : scene.sets)
   {
     constants.shapes |= 1u << record.shape;
     constants.inAllSets &= record.variants;
     constants.inSomeSets |= record.variants;
     constants.degree = std::max(constants.degree, record.polynomialDegree);
   }
+  constants.moves = Variants{ constants.inSomeSets }.Moves();
 }
 
-void FillScene(device::FrameRecord& frame, const Scene::State& scene)
+void FillScene(device::FrameRecord& frame, const SceneRecords& scene)
 {
-  frame.sets = scene.recordBuffer.Address();
-  frame.setCount = static_cast<std::uint32_t>(scene.records.size());
-  frame.onlySet = scene.records.front();
+  frame.sets = scene.buffer.Address();
+  frame.setCount = static_cast<std::uint32_t>(scene.sets.size());
+  frame.onlySet = scene.sets.front();
   frame.topLevels = scene.topLevelAddresses.Address();
   frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
-  frame.sceneLower = scene.bounds.lower;
-  frame.sceneUpper = scene.bounds.upper;
+  frame.sceneLower = scene.sets.front().lower;
+  frame.sceneUpper = scene.sets.front().upper;
   frame.layerLimit = 1;
-  for (const device::GlyphSetRecord& record : scene.records)
+  for (const device::GlyphSetRecord& record : scene.sets)
   {
+    frame.sceneLower = glm::min(frame.sceneLower, record.lower);
+    frame.sceneUpper = glm::max(frame.sceneUpper, record.upper);
     frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
   }
 }

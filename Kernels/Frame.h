@@ -29,9 +29,9 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 /// The program for these settings, but for what the scene and the pass say.
 Specialization SpecializationFor(const TraceSettings& settings);
 /// Values of the scene.
-void FillConstants(Constants& constants, const Scene::State& scene);
+void FillConstants(Constants& constants, const SceneRecords& scene);
 /// Of a scene that has something.
-void FillScene(device::FrameRecord& frame, const Scene::State& scene);
+void FillScene(device::FrameRecord& frame, const SceneRecords& scene);
 
 /// Samples a pixel in one dispatch at most: a driver resets a GPU whose dispatch takes seconds.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);

@@ -53,7 +53,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     this->Sort(set, { set.instances, list });
     this->statistics.sortSeconds += watch.Lap();
   }
-  this->TellStage(set);
+  this->progress.Add(set.count);
   PlacedGlyphs placed;
   using SurfaceColors = GlyphInstances::SurfaceColors;
   placed.variants.Set(device::SIGN_COLORS, set.instances.surfaceColors == SurfaceColors::Sign);
@@ -87,10 +87,10 @@ void Scene::State::Place(GlyphSet& set, float reach)
     }
     this->statistics.buildSeconds += building.Lap();
     list = {};
-    this->TellStage(set);
+    this->progress.Add(set.count);
   }
   this->SendArrays(set, placed);
-  this->TellStage(set);
+  this->progress.Add(set.count);
   set.placed = std::move(placed);
   this->topLevelChanged = true;
 }

@@ -199,7 +199,7 @@ bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
     return true;
   }
   // Beside a set far away, of which the scene's origin is, float places glyphs only to more than 1e-6 of their sizes.
-  const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
+  const glm::dvec3 offset = glm::abs(set.instances.origin - this->records.origin);
   const double farthest = std::max({ offset.x, offset.y, offset.z });
   const double error = std::ldexp(farthest + set.bounds.Reach(), -24);
   return farthest > 0.0 && error > 1e-6 * set.smallest;

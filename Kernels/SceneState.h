@@ -161,6 +161,30 @@ struct GlyphSet
   }
 };
 
+/// What tracers read of a scene.
+struct SceneRecords
+{
+  glm::dvec3 origin{ 0.0 };
+  std::vector<device::GlyphSetRecord> sets;     ///< one or more for each visible set; none: nothing can be traced
+  Buffer buffer;                                ///< the same on the device
+  std::vector<AccelerationStructure> topLevels; ///< of Structure::Boxes: one for each slice of time
+  Buffer topLevelAddresses;
+  std::uint32_t sliceBits = 0; ///< of time: the most of any visible set
+  /// Another one with every change that changes the image, and in every scene.
+  std::uint64_t version = NextVersion();
+  static std::uint64_t NextVersion();
+};
+
+/// How much of a Commit()'s work is done, in stages of glyphs: measuring, sorting, sending, and building of each.
+struct CommitProgress
+{
+  std::function<void(double)> report;
+  std::uint64_t stages = 0, done = 0;
+
+  /// A stage of so many glyphs.
+  void Add(std::size_t glyphs);
+};
+
 struct Scene::State
 {
   explicit State(std::shared_ptr<Device> d);
@@ -175,29 +199,14 @@ struct Scene::State
   std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
   Statistics statistics;
-
-  // Built by Commit().
-  glm::dvec3 origin{ 0.0 };
-  Box bounds;                                  ///< of all visible sets, relative to origin
-  std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
-  Buffer recordBuffer;
-  std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
-  Buffer topLevelAddresses;
-  bool moves = false;                    ///< some visible set does
-  std::uint32_t placedTimeSliceBits = 0; ///< the most of any visible set
+  SceneRecords records;
   bool topLevelChanged = true;
   bool recordsChanged = true;
-  /// Another one with every change that changes the image, and in every scene.
-  std::uint64_t version = NextVersion();
-  static std::uint64_t NextVersion();
+  CommitProgress progress; ///< of the Commit() that is going on
 
-  // Of the Commit() that is going on, in stages of glyphs: measuring, sorting, sending, and building of each.
-  static constexpr std::uint64_t stagesPerGlyph = 4;
-  std::function<void(double)> progress;
-  std::uint64_t stages = 0, stagesDone = 0;
-  void CountStages();
-  void TellStage(const GlyphSet& set);
-
+  /// Whether some visible set is translucent, or opaque.
+  bool Shows(bool translucent) const;
+  std::uint64_t CountStages() const;
   void SendChanges(std::vector<GlyphSet*>& sent);
   /// Throws rtg::Error when there is none of that number.
   GlyphSet& Find(SetId id);
@@ -227,7 +236,6 @@ struct Scene::State
   void CheckInstanceCount() const;
   void BuildTopLevels();
   Box BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const;
-  void ListSets();
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
   void FillSection(GlyphSet& set, device::GlyphSetRecord& record) const;

@@ -49,10 +49,10 @@ struct Tracer::State
 
   Device::State& Vulkan() const { return this->shared->device->GetState(); }
   static Specialization SpecializationOf(
-    const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass);
-  device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
+    const SceneRecords& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass);
+  device::FrameRecord MakeFrame(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
-  void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
+  void Begin(const SceneRecords& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
   void Run(const Interrupt& interrupt);
 
@@ -87,7 +87,7 @@ const Statistics& Tracer::GetStatistics() const
 }
 
 // But for samples and times.
-device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Camera& camera,
+device::FrameRecord Tracer::State::MakeFrame(const SceneRecords& scene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass)
 {
   device::FrameRecord frame{};
@@ -115,13 +115,13 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
 }
 
 Specialization Tracer::State::SpecializationOf(
-  const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass)
+  const SceneRecords& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass)
 {
   Specialization specialization = SpecializationFor(settings);
   Constants& constants = specialization.constants;
   FillConstants(constants, scene);
   constants.manyLights = lights > device::FEW_LIGHTS;
-  if (scene.moves)
+  if (constants.moves)
   {
     constants.independentSamples = settings.independentSamples;
   }
@@ -134,7 +134,7 @@ Specialization Tracer::State::SpecializationOf(
 }
 
 // Prepares the launches of an image; nothing is launched yet.
-void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
+void Tracer::State::Begin(const SceneRecords& scene, bool translucentScene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
 {
   Job& begun = this->job;
@@ -153,7 +153,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.atOnce = begun.atFirst;
   const bool keeps = settings.keepSums || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
-  const bool empty = scene.records.empty();
+  const bool empty = scene.sets.empty();
   if (empty || interruptible || settings.shares > 1)
   {
     this->buffers.Clear();
@@ -167,9 +167,9 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.specialization = SpecializationOf(scene, translucentScene, lights.size(), settings, pass);
   FillScene(begun.frame, scene);
   begun.frame.accumulates = keeps;
-  if (scene.moves)
+  if (begun.specialization.constants.moves)
   {
-    begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
+    begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.sliceBits);
     FillTimeStrata(begun.frame, settings);
   }
 
@@ -244,7 +244,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
 {
   CheckSettings(settings);
   State& state = *this->state_;
-  const Scene::State& glyphs = scene.GetState();
+  const SceneRecords& glyphs = scene.GetState().records;
   state.Vulkan().Guard("tracing an image",
     [&]
     {
@@ -259,11 +259,11 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
 
 void Tracer::CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading)
 {
-  const Scene::State& glyphs = scene.GetState();
+  const SceneRecords& glyphs = scene.GetState().records;
   std::vector<Specialization> wanted;
   for (const Pass pass : { Pass::Opaque, Pass::Translucent })
   {
-    if (glyphs.records.empty() || !(pass == Pass::Opaque ? scene.HasOpaque() : scene.HasTranslucent()))
+    if (glyphs.sets.empty() || !(pass == Pass::Opaque ? scene.HasOpaque() : scene.HasTranslucent()))
     {
       continue;
     }
@@ -282,7 +282,7 @@ Image Tracer::Resume(Scene& scene, std::uint32_t samples, const Interrupt& inter
   settings.samples = std::max(settings.samples, samples);
   CheckSettings(settings);
   const bool adds = settings.samples > state.job.settings.samples;
-  if (state.job.sceneVersion != scene.GetState().version || (adds && !settings.keepSums))
+  if (state.job.sceneVersion != scene.GetState().records.version || (adds && !settings.keepSums))
   {
     throw Error("Ray Traced Glyphs: there is no image of this scene, as it is now, to go on with; trace one from its "
                 "first sample, with keepSums.");

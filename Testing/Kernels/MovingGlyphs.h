@@ -135,7 +135,7 @@ protected:
   }
 
   // Whether there are several slices of time.
-  bool HasSlices() { return this->scene.GetState().placedTimeSliceBits > 0; }
+  bool HasSlices() { return this->scene.GetState().records.sliceBits > 0; }
 
   rtg::Scene::SetId Add(const rtg::GlyphInstances& instances)
   {
