@@ -171,24 +171,6 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
   frame.toneMapping = static_cast<std::uint32_t>(settings.toneMapping);
 }
 
-// Features that local shading does not use need no program of their own.
-Specialization SpecializationFor(const TraceSettings& settings)
-{
-  Specialization specialization;
-  const ShadingTraits traits = TraitsOf(settings);
-  // Local shading with shadows is ambient occlusion without the sky.
-  const bool shadowsOnly = settings.shadows && settings.shading == Shading::Local;
-  specialization.program = static_cast<std::uint32_t>(shadowsOnly ? Shading::AmbientOcclusion : settings.shading);
-  Constants& constants = specialization.constants;
-  constants.independentSamples = settings.independentSamples && traits.scatters;
-  constants.gathersFeatures = settings.features;
-  constants.environmentImage = settings.environmentImage && traits.environmentImage;
-  constants.shadows = settings.shadows && settings.shading != Shading::PathTracing;
-  constants.sky = settings.shading == Shading::AmbientOcclusion;
-  constants.ground = traits.scatters && settings.groundNormal != glm::vec3(0.0f);
-  return specialization;
-}
-
 void FillConstants(Constants& constants, const SceneRecords& scene)
 {
   constants.alone = scene.sets.size() == 1;
@@ -203,6 +185,30 @@ void FillConstants(Constants& constants, const SceneRecords& scene)
     constants.degree = std::max(constants.degree, record.polynomialDegree);
   }
   constants.moves = Variants{ constants.inSomeSets }.Moves();
+}
+
+// Features that a mode does not use need no program of their own.
+Specialization
+SpecializationFor(const SceneRecords& scene, std::size_t lights, const TraceSettings& settings, Pass pass)
+{
+  Specialization specialization;
+  const ShadingTraits traits = TraitsOf(settings);
+  Constants& constants = specialization.constants;
+  FillConstants(constants, scene);
+  const bool translucent = std::any_of(
+    scene.sets.begin(), scene.sets.end(), [](const device::GlyphSetRecord& record) { return record.translucent != 0; });
+  constants.shadows = settings.shadows && traits.withShadows;
+  specialization.program = static_cast<std::uint32_t>(constants.shadows ? *traits.withShadows : settings.shading);
+  constants.sky = traits.linear;
+  constants.independentSamples = settings.independentSamples && (traits.scatters || constants.moves);
+  constants.gathersFeatures = settings.features;
+  constants.environmentImage = settings.environmentImage && traits.environmentImage;
+  constants.ground = traits.scatters && settings.groundNormal != glm::vec3(0.0f);
+  constants.manyLights = lights > device::FEW_LIGHTS;
+  constants.layered = pass == Pass::Translucent && traits.layers;
+  constants.translucency = traits.scatters && translucent;
+  constants.leavesSurface = traits.scatters || constants.layered;
+  return specialization;
 }
 
 void FillScene(device::FrameRecord& frame, const SceneRecords& scene)

@@ -26,10 +26,11 @@ std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, co
 /// But for samples, which are those of one dispatch, and times.
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, const glm::dvec3& origin);
 
-/// The program for these settings, but for what the scene and the pass say.
-Specialization SpecializationFor(const TraceSettings& settings);
 /// Values of the scene.
 void FillConstants(Constants& constants, const SceneRecords& scene);
+/// The program for an image of a pass, in so many lights.
+Specialization
+SpecializationFor(const SceneRecords& scene, std::size_t lights, const TraceSettings& settings, Pass pass);
 /// Of a scene that has something.
 void FillScene(device::FrameRecord& frame, const SceneRecords& scene);
 

@@ -48,11 +48,9 @@ struct Tracer::State
   };
 
   Device::State& Vulkan() const { return this->shared->device->GetState(); }
-  static Specialization SpecializationOf(
-    const SceneRecords& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass);
   device::FrameRecord MakeFrame(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
-  void Begin(const SceneRecords& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
+  void Begin(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
   void Run(const Interrupt& interrupt);
 
@@ -114,28 +112,9 @@ device::FrameRecord Tracer::State::MakeFrame(const SceneRecords& scene, const Ca
   return frame;
 }
 
-Specialization Tracer::State::SpecializationOf(
-  const SceneRecords& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass)
-{
-  Specialization specialization = SpecializationFor(settings);
-  Constants& constants = specialization.constants;
-  FillConstants(constants, scene);
-  constants.manyLights = lights > device::FEW_LIGHTS;
-  if (constants.moves)
-  {
-    constants.independentSamples = settings.independentSamples;
-  }
-  const ShadingTraits traits = TraitsOf(settings);
-  // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-  constants.layered = pass == Pass::Translucent && traits.layers;
-  constants.translucency = traits.scatters && translucentScene;
-  constants.leavesSurface = traits.scatters || constants.layered;
-  return specialization;
-}
-
 // Prepares the launches of an image; nothing is launched yet.
-void Tracer::State::Begin(const SceneRecords& scene, bool translucentScene, const Camera& camera,
-  const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
+void Tracer::State::Begin(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
+  const TraceSettings& settings, Pass pass, bool interruptible)
 {
   Job& begun = this->job;
   begun = Job();
@@ -164,7 +143,7 @@ void Tracer::State::Begin(const SceneRecords& scene, bool translucentScene, cons
     return;
   }
   begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
-  begun.specialization = SpecializationOf(scene, translucentScene, lights.size(), settings, pass);
+  begun.specialization = SpecializationFor(scene, lights.size(), settings, pass);
   FillScene(begun.frame, scene);
   begun.frame.accumulates = keeps;
   if (begun.specialization.constants.moves)
@@ -248,8 +227,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
   state.Vulkan().Guard("tracing an image",
     [&]
     {
-      const bool translucent = scene.HasTranslucent();
-      state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
+      state.Begin(glyphs, camera, lights, settings, pass, static_cast<bool>(interrupt));
       // Only what was begun as a whole can be gone on with.
       state.job.sceneVersion = glyphs.version;
       state.Run(interrupt);
@@ -269,7 +247,7 @@ void Tracer::CompileAhead(Scene& scene, const std::vector<Light>& lights, const 
     }
     for (const TraceSettings& settings : ofShading)
     {
-      wanted.push_back(State::SpecializationOf(glyphs, scene.HasTranslucent(), lights.size(), settings, pass));
+      wanted.push_back(SpecializationFor(glyphs, lights.size(), settings, pass));
     }
   }
   this->state_->Vulkan().programs->CompileAhead(std::move(wanted));

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -121,6 +122,7 @@ struct TraceSettings
 struct ShadingTraits
 {
   bool scatters, linear, layers, environmentImage;
+  std::optional<Shading> withShadows;
   std::uint32_t TraceSettings::*rays; ///< null: one
   int atOnce;
 };
