@@ -49,35 +49,16 @@ float SmallestExtent(const std::vector<Box>& boxes)
 
 } // namespace
 
-Statistics& Statistics::operator+=(const Statistics& other)
-{
-  this->structureBuilds += other.structureBuilds;
-  this->topLevelBuilds += other.topLevelBuilds;
-  this->instanceUploads += other.instanceUploads;
-  this->colorUploads += other.colorUploads;
-  this->sorts += other.sorts;
-  this->programsAhead += other.programsAhead;
-  this->pipelineBuilds += other.pipelineBuilds;
-  this->dispatches += other.dispatches;
-  this->primaryRays += other.primaryRays;
-  this->deviceBytes = std::max(this->deviceBytes, other.deviceBytes);
-  this->sortSeconds += other.sortSeconds;
-  this->buildSeconds += other.buildSeconds;
-  this->uploadSeconds += other.uploadSeconds;
-  this->traceSeconds += other.traceSeconds;
-  this->denoiseSeconds += other.denoiseSeconds;
-  return *this;
-}
-
-Scene::State::State(std::shared_ptr<Device> d)
+Scene::State::State(std::shared_ptr<Device> d, std::shared_ptr<Statistics> s)
   : device(std::move(d))
   , mostInstances(device->GetState().structureLimits.maxInstanceCount)
   , structure(ChooseStructure(*device, device->GetState().rayQueries))
+  , statistics(std::move(s))
 {
 }
 
-Scene::Scene(std::shared_ptr<Device> device)
-  : state_(std::make_unique<State>(std::move(device)))
+Scene::Scene(std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics)
+  : state_(std::make_unique<State>(std::move(device), std::move(statistics)))
 {
 }
 
@@ -208,8 +189,8 @@ bool Scene::HasOpaque() const
 
 const Statistics& Scene::GetStatistics() const
 {
-  this->state_->statistics.deviceBytes = this->state_->device->HeldBytes();
-  return this->state_->statistics;
+  this->state_->statistics->deviceBytes = this->state_->device->HeldBytes();
+  return *this->state_->statistics;
 }
 
 std::uint64_t SceneRecords::NextVersion()

@@ -12,7 +12,8 @@ namespace rtg
 
 class Device;
 
-/// Work done and memory held; every count only grows. Seconds are wall-clock.
+/// Work done and memory held; every count only grows. Seconds are wall-clock. The scenes and tracers of a view count in
+/// one object.
 struct Statistics
 {
   std::uint64_t structureBuilds = 0; ///< trees, or bottom-level structures of the driver, built
@@ -30,9 +31,6 @@ struct Statistics
   double uploadSeconds = 0.0;
   double traceSeconds = 0.0;
   double denoiseSeconds = 0.0;
-
-  /// Adds the counts of another; bytes are the larger ones.
-  Statistics& operator+=(const Statistics& other);
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.
@@ -44,7 +42,8 @@ class Scene
 public:
   using SetId = std::uint32_t;
 
-  explicit Scene(std::shared_ptr<Device> device);
+  explicit Scene(
+    std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics = std::make_shared<Statistics>());
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -51,7 +51,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
   if (set.instancesChanged || set.sorted.order.size() != set.count)
   {
     this->Sort(set, { set.instances, list });
-    this->statistics.sortSeconds += watch.Lap();
+    this->statistics->sortSeconds += watch.Lap();
   }
   this->progress.Add(set.count);
   PlacedGlyphs placed;
@@ -65,7 +65,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     placed.mesh = std::move(mesh);
     isNew = this->PlaceMesh(set, placed);
   }
-  this->statistics.instanceUploads += isNew;
+  this->statistics->instanceUploads += isNew;
   mesh = PlacedMesh();
   if (placed.runs.empty())
   {
@@ -85,7 +85,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
       placed.builtReach = 4.0f * reach;
       this->BuildBoxes(set, placed, { set.instances, list, SlabPadding(placed.builtReach) });
     }
-    this->statistics.buildSeconds += building.Lap();
+    this->statistics->buildSeconds += building.Lap();
     list = {};
     this->progress.Add(set.count);
   }
@@ -112,8 +112,8 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
     placed.colorTable = Send(this->device->GetState(), set.colors.table);
     placed.variants.Set(device::END_VALUES, !set.colors.table.empty());
   }
-  this->statistics.colorUploads += (variants & device::COLORS) && !set.colors.Empty();
-  this->statistics.uploadSeconds += watch.Lap();
+  this->statistics->colorUploads += (variants & device::COLORS) && !set.colors.Empty();
+  this->statistics->uploadSeconds += watch.Lap();
 }
 
 // Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
@@ -144,7 +144,7 @@ void Scene::State::Sort(GlyphSet& set, const BoxReader& boxes)
   KdOrder kd = MakeKdOrder(sortedBoxes, leafBits);
   const double sortedSurface = surface(kd.order);
   set.sorted = { std::move(kd.order), std::move(kd.axes), leafBits, sortedSurface };
-  ++this->statistics.sorts;
+  ++this->statistics->sorts;
 }
 
 // The driver's structures of a set, one primitive a glyph: of glyphs that move, one for each slice of time.
@@ -177,7 +177,7 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
       run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
     }
   }
-  this->statistics.structureBuilds += placed.runs.size();
+  this->statistics->structureBuilds += placed.runs.size();
 }
 
 // The tree of a set: of glyphs that move, one for each slice of time.
@@ -210,7 +210,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
   placed.tree = PlacedTree(this->device->GetState(), tree);
   placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   // Copies of a mesh at rest are placed, not built, as in the driver's top level.
-  this->statistics.structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
+  this->statistics->structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
 }
 
 } // namespace rtg

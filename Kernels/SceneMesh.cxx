@@ -115,7 +115,7 @@ void Scene::State::UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh)
   {
     mesh.colors = SendMeshColors(this->device->GetState(), mesh, *wanted);
     mesh.source = wanted;
-    ++this->statistics.colorUploads;
+    ++this->statistics->colorUploads;
   }
 }
 
@@ -171,7 +171,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     sent.shutterClose = shutter.shutterClose;
     sent.middle = centered.middle;
     sent.radius = centered.radius;
-    ++this->statistics.structureBuilds;
+    ++this->statistics->structureBuilds;
   }
   Variants& variants = placed.variants;
   variants.Set(device::MESH_TREE, hasTree);
@@ -187,7 +187,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     // The driver's top level has the glyphs.
     placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   }
-  this->statistics.buildSeconds += watch.Lap();
+  this->statistics->buildSeconds += watch.Lap();
   return !keeps || before == wanted;
 }
 

@@ -66,8 +66,8 @@ void Scene::State::BuildTopLevels()
     }
     this->records.topLevelAddresses = Send(this->device->GetState(), addresses);
   }
-  this->statistics.topLevelBuilds += any;
-  this->statistics.buildSeconds += watch.Lap();
+  this->statistics->topLevelBuilds += any;
+  this->statistics->buildSeconds += watch.Lap();
 }
 
 // In the scene's coordinates.

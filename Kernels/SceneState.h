@@ -187,7 +187,7 @@ struct CommitProgress
 
 struct Scene::State
 {
-  explicit State(std::shared_ptr<Device> d);
+  State(std::shared_ptr<Device> d, std::shared_ptr<Statistics> s);
 
   std::shared_ptr<Device> device;
   std::map<SetId, GlyphSet> sets;
@@ -198,7 +198,7 @@ struct Scene::State
   /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
   std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
-  Statistics statistics;
+  std::shared_ptr<Statistics> statistics;
   SceneRecords records;
   bool topLevelChanged = true;
   bool recordsChanged = true;

@@ -68,7 +68,7 @@ struct Tracer::State
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
-  : Tracer(std::make_shared<TracerResources>(std::move(device)))
+  : Tracer(MakeTracerResources(std::move(device)))
 {
 }
 
@@ -192,15 +192,15 @@ void Tracer::State::Run(const Interrupt& interrupt)
       work.longest = std::max(work.longest,
         this->launcher.LaunchTiles(
           *program->pipeline, this->shared->costs[program.get()], frame, work.tiling.End(), interruptible));
-      this->shared->statistics.traceSeconds += watch.Lap();
+      this->shared->statistics->traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
         frame.firstTile = work.tiling.Begin();
         work.image.samples += frame.samples;
         work.atOnce = static_cast<std::uint32_t>(
           std::clamp<double>(Launcher::NextSamples(frame.samples, work.longest), work.atFirst, work.atMost));
-        ++this->shared->statistics.dispatches;
-        this->shared->statistics.primaryRays += work.tiling.Rays() * frame.samples;
+        ++this->shared->statistics->dispatches;
+        this->shared->statistics->primaryRays += work.tiling.Rays() * frame.samples;
       }
       stopped = work.image.samples < settings.samples && interruptible && interrupt(work.TracedFraction());
     }
@@ -215,7 +215,7 @@ void Tracer::State::Run(const Interrupt& interrupt)
   {
     this->buffers.FillFeatures(work.image);
   }
-  this->shared->statistics.traceSeconds += watch.Lap();
+  this->shared->statistics->traceSeconds += watch.Lap();
 }
 
 Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,

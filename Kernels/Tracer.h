@@ -134,7 +134,8 @@ using Interrupt = std::function<bool(double share)>;
 
 /// Common to the tracers of one view: compiled programs, an environment image on the device, and statistics.
 class TracerResources;
-std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device);
+std::shared_ptr<TracerResources> MakeTracerResources(
+  std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics = std::make_shared<Statistics>());
 const Statistics& StatisticsOf(TracerResources& resources);
 
 /// The denoising of an image (Denoiser.h), which may run in another thread while its tracer goes on.

@@ -54,11 +54,7 @@ public:
     if (!this->Images.Device || this->Images.Device->Lost())
     {
       this->Images.DropScene();
-      if (this->Images.Resources)
-      {
-        this->Images.Past += rtg::StatisticsOf(*this->Images.Resources);
-        this->Images.Resources.reset();
-      }
+      this->Images.Resources.reset();
       for (auto& [place, entry] : this->Images.Entries)
       {
         entry->Tracer.reset();
@@ -69,11 +65,11 @@ public:
     }
     if (!this->Images.Resources)
     {
-      this->Images.Resources = rtg::MakeTracerResources(this->Images.Device);
+      this->Images.Resources = rtg::MakeTracerResources(this->Images.Device, this->Images.Counters);
     }
     if (!this->Images.Scene)
     {
-      this->Images.Scene = std::make_unique<rtg::Scene>(this->Images.Device);
+      this->Images.Scene = std::make_unique<rtg::Scene>(this->Images.Device, this->Images.Counters);
       ++this->Images.SceneNumber;
     }
     try
@@ -280,11 +276,7 @@ const rtg::Image* rtglyphs::RayTracedImages::Update(
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedImages::DropScene()
 {
-  if (this->Scene)
-  {
-    this->Past += this->Scene->GetStatistics();
-    this->Scene.reset();
-  }
+  this->Scene.reset();
 }
 
 //----------------------------------------------------------------------------
@@ -297,17 +289,9 @@ void rtglyphs::RayTracedImages::DropImages()
 //----------------------------------------------------------------------------
 rtg::Statistics rtglyphs::RayTracedImages::GetStatistics() const
 {
-  rtg::Statistics sum = this->Past;
-  if (this->Scene)
-  {
-    sum += this->Scene->GetStatistics();
-  }
-  if (this->Resources)
-  {
-    sum += rtg::StatisticsOf(*this->Resources);
-  }
-  sum.deviceBytes = this->Device ? this->Device->HeldBytes() : 0;
-  return sum;
+  rtg::Statistics now = this->Resources ? rtg::StatisticsOf(*this->Resources) : *this->Counters;
+  now.deviceBytes = this->Device ? this->Device->HeldBytes() : 0;
+  return now;
 }
 
 //----------------------------------------------------------------------------
