@@ -15,7 +15,7 @@ namespace
 
 constexpr std::uint32_t maxSide = 32768;       ///< of an image, in pixels; more than any OpenGL viewport
 constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
-constexpr std::uint32_t maxShares = 1u << 20;  ///< of an image
+constexpr std::uint32_t maxParts = 1u << 20;   ///< of an image
 
 // Of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
@@ -132,9 +132,9 @@ void CheckSettings(const TraceSettings& settings)
   const float groundNormal = glm::length(settings.groundNormal);
   check("the length of the ground's normal", groundNormal, groundNormal > 0.0f ? 0.999f : 0.0f, 1.001f);
   check("the ground's height", std::abs(settings.groundHeight), 0.0, double(FLT_MAX));
-  check("the number of shares", settings.shares, 1u, maxShares);
-  check("the share", settings.share, 0u, settings.shares - 1u);
-  if (settings.shares > 1 && settings.features)
+  check("the number of parts", settings.parts, 1u, maxParts);
+  check("the part", settings.part, 0u, settings.parts - 1u);
+  if (settings.parts > 1 && settings.features)
   {
     throw Error("Ray Traced Glyphs: features need the whole image, not a part of it.");
   }

@@ -118,7 +118,7 @@ struct GlyphInstances
 {
   Shape shape = Shape::Sphere;
   ArrowForm arrow;
-  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, turned, and moved to its center.
+  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, rotated, and moved to its center.
   std::shared_ptr<const TriangleMesh> mesh;
   /// Shape::Mesh only: images name the triangle, not the glyph; for surfaces, which are a single glyph.
   bool identifyTriangles = false;

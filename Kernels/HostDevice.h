@@ -157,9 +157,9 @@ const uint LAUNCH_GROUP = 64u;
 // Bits of instance masks. Sets that camera rays do not see shade the others all the same.
 const uint OPAQUE_MASK = 1u;
 const uint TRANSLUCENT_MASK = 2u;
-const uint UNSEEN_OPAQUE_MASK = 4u;
-const uint UNSEEN_TRANSLUCENT_MASK = 8u;
-const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSEEN_TRANSLUCENT_MASK;
+const uint INDIRECT_OPAQUE_MASK = 4u;
+const uint INDIRECT_TRANSLUCENT_MASK = 8u;
+const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | INDIRECT_OPAQUE_MASK | INDIRECT_TRANSLUCENT_MASK;
 
 // Layers of translucent surfaces that one traversal gathers at most, and the fraction of light below which what shines
 // through them is left out: half a level of a display's 255.

@@ -45,7 +45,7 @@ struct GlyphMotion
   /// x(t) - x(0).
   glm::dvec3 Displacement(std::size_t glyph, double time) const;
   /// Unit quaternion of the rotation since time 0.
-  glm::dquat Turn(std::size_t glyph, double time) const;
+  glm::dquat RotationAt(std::size_t glyph, double time) const;
 };
 
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.

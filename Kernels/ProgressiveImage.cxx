@@ -267,8 +267,8 @@ void ProgressiveImage::Preview(const Request& request)
   settings.shadows = false;
   settings.plannedSamples = this->settings_.plannedSamples;
   // It is quick: each process that traces a part of the image traces all of it.
-  settings.share = 0;
-  settings.shares = 1;
+  settings.part = 0;
+  settings.parts = 1;
   const auto affordable = [&](double time)
   {
     std::uint32_t step = std::max(1u, request.effort.pixelStep);

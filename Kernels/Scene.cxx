@@ -150,9 +150,9 @@ void Scene::SetVisible(SetId id, bool visible, bool keep)
   set.kept = keep;
 }
 
-void Scene::SetSeen(SetId id, bool seen)
+void Scene::SetCameraVisible(SetId id, bool visible)
 {
-  this->state_->Find(id).seen = seen;
+  this->state_->Find(id).cameraVisible = visible;
 }
 
 const GlyphInstances& Scene::InstancesOf(SetId id) const

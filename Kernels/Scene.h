@@ -59,7 +59,7 @@ public:
   /// `keep`: what of the set is on the device stays there, for it to be visible again at once.
   void SetVisible(SetId id, bool visible, bool keep = false);
   /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
-  void SetSeen(SetId id, bool seen);
+  void SetCameraVisible(SetId id, bool visible);
 
   std::size_t GlyphCount(SetId id) const;
   const GlyphInstances& InstancesOf(SetId id) const;
@@ -70,7 +70,7 @@ public:
   bool HasOpaque() const;
 
   /// `progress` gets the fraction of the work done, in [0, 1], after each stage.
-  void Commit(const std::function<void(double share)>& progress = {});
+  void Commit(const std::function<void(double fraction)>& progress = {});
 
   const Statistics& GetStatistics() const;
 

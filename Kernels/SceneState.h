@@ -112,8 +112,8 @@ struct GlyphSet
   Material material;
   PeriodicImages images;
   bool visible = true;
-  bool kept = false; ///< on the device while it is not visible
-  bool seen = true;  ///< by camera rays
+  bool kept = false;         ///< on the device while it is not visible
+  bool cameraVisible = true; ///< camera rays see it
   bool translucentColors = false;
   bool translucentInstances = false;
   bool instancesChanged = false; ///< since they were placed
@@ -139,8 +139,9 @@ struct GlyphSet
   }
   std::uint32_t Mask(bool shown = true) const
   {
-    return this->Translucent() ? (this->seen && shown ? device::TRANSLUCENT_MASK : device::UNSEEN_TRANSLUCENT_MASK)
-                               : (this->seen && shown ? device::OPAQUE_MASK : device::UNSEEN_OPAQUE_MASK);
+    return this->Translucent()
+      ? (this->cameraVisible && shown ? device::TRANSLUCENT_MASK : device::INDIRECT_TRANSLUCENT_MASK)
+      : (this->cameraVisible && shown ? device::OPAQUE_MASK : device::INDIRECT_OPAQUE_MASK);
   }
   /// An image of the set: how far it lies from the set, and whether it is shown. The first one is the set.
   struct Image

@@ -133,7 +133,7 @@ void Tracer::State::Begin(const SceneRecords& scene, const Camera& camera, const
   const bool keeps = settings.keepSums || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.sets.empty();
-  if (empty || interruptible || settings.shares > 1)
+  if (empty || interruptible || settings.parts > 1)
   {
     this->buffers.Clear();
   }

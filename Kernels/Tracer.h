@@ -111,9 +111,9 @@ struct TraceSettings
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on
 
-  /// Of so many equal parts of the image, scattered over it in tiles, this one is traced, < shares; the rest stays
+  /// Of so many equal parts of the image, scattered over it in tiles, this one is traced, < parts; the rest stays
   /// empty. For processes that trace an image together.
-  std::uint32_t share = 0, shares = 1;
+  std::uint32_t part = 0, parts = 1;
 
   bool operator==(const TraceSettings&) const = default;
 };
@@ -130,7 +130,7 @@ ShadingTraits TraitsOf(const TraceSettings& settings);
 
 /// Called some twenty times a second while an image is traced, with the fraction of the work done, in [0, 1]; true:
 /// stop.
-using Interrupt = std::function<bool(double share)>;
+using Interrupt = std::function<bool(double fraction)>;
 
 /// Common to the tracers of one view: compiled programs, an environment image on the device, and statistics.
 class TracerResources;

@@ -149,8 +149,8 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
 // Intersects a candidate exactly. A crossing nearer than `hit` becomes the hit; with `any` whichever is found first.
 // With `gathers` all crossings nearer than it are added to the layers instead, as many as are wanted, and hit.t is up
 // to where others still are. False: the hit stays.
-bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+bool IntersectCandidate(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
+  const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   if (layered && gathers)
   {
@@ -169,8 +169,8 @@ bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
 }
 
 // The same of a glyph that is cut by itself: of the driver's BVH each, of the plugin's those that take their cut along.
-bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
+  const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   bool single = rayQueries || Has(set.variants, SECTION_MOVES);
   bool cuts = single && CutsGlyphs(set);
@@ -193,7 +193,7 @@ bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
     float end = found.t;
     float low, high;
     bool near = start <= end && (!rayQueries || Estimate(set, ray, number, glyph, start, end, low, high) != RTG_MISSED);
-    if (near && MeetGlyph(record, set, ray, number, glyph, seed, start, any, gathers, found))
+    if (near && IntersectCandidate(record, set, ray, number, glyph, seed, start, any, gathers, found))
     {
       met = true;
       if (!(layered && gathers) || found.t < end)

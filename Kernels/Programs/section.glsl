@@ -22,15 +22,15 @@ bool IsCap(const GlyphSetRecord set, const uint triangle)
 }
 
 // A normal of the body, as a glyph has rotated it.
-vec3 TurnedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
+vec3 RotatedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
 {
-  vec3 turned = normal;
+  vec3 rotated = normal;
   if (Has(set.variants, SECTION_MOVES) && Has(set.variants, ANGULAR_VELOCITIES))
   {
-    vec4 turn = TurnSince(set, number, TimeOf(set));
-    turned = Rotate(turn.xyz, turn.w, normal);
+    vec4 rotation = RotationSince(set, number, TimeOf(set));
+    rotated = Rotate(rotation.xyz, rotation.w, normal);
   }
-  return turned;
+  return rotated;
 }
 
 // The center of a glyph at rest with the body: of one that takes the body along, that at time zero.
@@ -49,7 +49,7 @@ vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
 {
   uint plane = triangle - firstCap;
   vec3 ofSlab = plane < 2u ? set.sectionSlab0.normal : plane < 4u ? set.sectionSlab1.normal : set.sectionSlab2.normal;
-  vec3 normal = TurnedNormal(set, number, ofSlab);
+  vec3 normal = RotatedNormal(set, number, ofSlab);
   return (plane % 2u == 1u) == (set.sectionKeepsInside != 0u) ? normal : -normal;
 }
 
@@ -57,7 +57,7 @@ vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
 Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   const SectionSlab slab, const int firstPlane)
 {
-  vec3 normal = TurnedNormal(set, number, slab.normal);
+  vec3 normal = RotatedNormal(set, number, slab.normal);
   DoubleWord3 origin = DoubleWord3(ray.origin, ray.originLow);
   DoubleWord height;
   if (Has(set.variants, SECTION_MOVES))

@@ -255,7 +255,7 @@ rtglyphs::RayTracedImages::Entry* rtglyphs::RayTracedImages::FindSame(const rtg:
   {
     const rtg::ImageView& other = entry->Image.View();
     if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
-      other.settings.shares == 1 && other.pass == view.pass && other.sceneVersion == view.sceneVersion &&
+      other.settings.parts == 1 && other.pass == view.pass && other.sceneVersion == view.sceneVersion &&
       other.camera.IsNear(view.camera) && other.settings.width == view.settings.width &&
       other.settings.height == view.settings.height)
     {

@@ -95,7 +95,7 @@ inline Double::Glyph GlyphAt(const rtg::GlyphInstances& instances, std::size_t i
   }
   glyph.size = instances.sizes3.empty() ? glm::dvec3(instances.uniformSize) : glm::dvec3(instances.sizes3[i]);
   glyph.sameSize = instances.sizes3.empty();
-  glyph.turned = true;
+  glyph.rotated = true;
   glyph.rotation = instances.rotations.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(instances.rotations[i]);
   if (!motion.angularVelocities.empty())
   {

@@ -81,7 +81,7 @@ protected:
   {
     const rtg::Scene::SetId id = to.Add();
     to.SetInstances(id, instances);
-    to.SetSeen(id, seen);
+    to.SetCameraVisible(id, seen);
     return id;
   }
 
@@ -169,12 +169,12 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
   constexpr std::uint32_t shares = 3;
   const Kept whole = this->Trace(this->scene);
   const auto covered = whole.colors.size() - std::count(whole.colors.begin(), whole.colors.end(), 0u);
-  this->settings.shares = shares;
+  this->settings.parts = shares;
   std::vector<int> found(side * side, 0);
   std::size_t wrong = 0;
   for (std::uint32_t share = 0; share < shares; ++share)
   {
-    this->settings.share = share;
+    this->settings.part = share;
     // At once, or in parts as a window requests it.
     const Kept part = this->Trace(
       this->scene, rtg::Pass::Opaque, share == 0 ? rtg::Interrupt() : [](double) { return false; });
@@ -203,8 +203,8 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
 TEST_P(NeighborsTest, ShareOfSamplesThatAreAdded)
 {
   Add(this->scene, Balls(60));
-  this->settings.share = 1;
-  this->settings.shares = 2;
+  this->settings.part = 1;
+  this->settings.parts = 2;
   const Kept atOnce = this->Trace(this->scene);
   this->settings.plannedSamples = this->settings.samples;
   this->settings.samples = 1;
