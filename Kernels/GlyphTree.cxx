@@ -315,7 +315,7 @@ std::uint8_t StepAbove(double value)
 
 // The traversal rounds the parameter at which a ray meets a plane by a few ulps of what the plane lies from the node's
 // origin, which the boxes are wider by; BoxRay in Programs/tree.glsl has the rest.
-GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
+GlyphTreeNode Quantize(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
 {
   GlyphTreeNode node{};
   node.axes = axes;
@@ -422,7 +422,7 @@ GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, cons
         const Box* const parts = lowest ? leaves : &below[children * i];
         current[i] = std::accumulate(parts, parts + children, Box(), Union);
         const std::size_t node = GlyphTree::LevelOffset(level) + i;
-        tree.nodes[node] = Quantise(current[i], parts, children, axes[node]);
+        tree.nodes[node] = Quantize(current[i], parts, children, axes[node]);
       });
     below = std::move(current);
   }

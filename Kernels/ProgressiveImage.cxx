@@ -1,10 +1,10 @@
 #include "ProgressiveImage.h"
 
-#include "Parallel.h"
 #include "Tiles.h"
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 namespace rtg
@@ -438,7 +438,7 @@ void ProgressiveImage::Smooth(const Request& request)
     this->smoothing_ = denoising.get_future();
     if (request.IsTimed())
     {
-      RunInBackground(std::move(denoising));
+      std::thread(std::move(denoising)).detach();
     }
     else
     {

@@ -242,17 +242,7 @@ struct Scene::State
   void FillSection(GlyphSet& set, device::GlyphSetRecord& record) const;
 };
 
-/// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
-template <class T>
-Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
-{
-  Buffer buffer(
-    device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
-  buffer.Upload(values.data(), values.size() * sizeof(T));
-  return buffer;
-}
-
-/// The same with the values of glyph order[i] at place i; an empty order: with the values as they are.
+/// Send() with the values of glyph order[i] at place i; an empty order: with the values as they are.
 template <class Array>
 Buffer SendInOrder(
   Device::State& device, const Array& values, const std::vector<std::uint32_t>& order, vk::BufferUsageFlags more = {})

@@ -1,7 +1,5 @@
 #include "TracerResources.h"
 
-#include "SceneState.h"
-
 namespace rtg
 {
 

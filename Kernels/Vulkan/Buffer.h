@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace rtg
 {
@@ -55,5 +56,15 @@ private:
   vk::DeviceAddress address_ = 0;
   void* mapped_ = nullptr;
 };
+
+/// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
+template <class T>
+Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
+{
+  Buffer buffer(
+    device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
+  buffer.Upload(values.data(), values.size() * sizeof(T));
+  return buffer;
+}
 
 } // namespace rtg
