@@ -51,7 +51,7 @@ struct Guide
 class Filter
 {
 public:
-  // Of a pixel whose mean is no number nothing is known.
+  // A pixel whose mean is no number counts as unknown.
   Filter(const DenoiserGuides& guides, const std::vector<glm::vec4>& means, const std::stop_token& stop)
     : width_(static_cast<int>(guides.width))
     , height_(static_cast<int>(guides.height))

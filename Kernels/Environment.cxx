@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr std::uint32_t mostColumns = 512, mostRows = 256;
-// Of the mean: below it scattered rays find the light often enough.
+// Scattered rays find light below that multiple of the mean often enough.
 constexpr double thresholdOverMean = 2.0;
 
 // Sine of the latitude of the lower edge of a row.

@@ -17,7 +17,7 @@ constexpr std::uint32_t maxSide = 32768;       ///< of an image, in pixels; more
 constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
 constexpr std::uint32_t maxParts = 1u << 20;   ///< of an image
 
-// Of the whole image, over all calls.
+// Samples of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
 {
   return settings.plannedSamples ? settings.plannedSamples : settings.samples;

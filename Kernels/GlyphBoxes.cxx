@@ -17,8 +17,8 @@ namespace rtg
 namespace
 {
 
-// In single precision: what that loses, a few roundings of the glyph's own size, every box is widened by. Only what
-// lies between glyphs, their centers and paths, needs double.
+// Shapes are bounded in single precision, and every box is widened by what that loses, a few roundings of the glyph's
+// own size. Only what lies between glyphs, their centers and paths, needs double.
 using HostShapes = shapes::Kernel<float>;
 constexpr float roundings = 1e-6f;
 
@@ -213,7 +213,7 @@ std::vector<Box> ListedBoxes(const GlyphInstances& instances)
   return AreBalls(instances) ? std::vector<Box>() : GlyphBoxes(instances);
 }
 
-// As of any other glyph.
+// Widened as the box of any other glyph.
 Box BallBox(const glm::vec3& center, const glm::vec3& centerLow, float size)
 {
   const float reach = 0.5f * size;

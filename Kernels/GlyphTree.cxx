@@ -283,13 +283,15 @@ struct KdSplitter
     Entry* const first = this->entries;
     PartitionAlong(
       first + this->Start(leaf), first + this->Start(leaf + half), first + this->Start(leaf + 2 * half), *chosen);
-    ParallelInvoke(
-      forks > 0, [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
-      [&]
-      {
-        this->Split(
-          level, child + (std::size_t(1) << (splits - 1)), leaf + half, bits - 1, chosen + 1, splits - 1, forks - 1);
-      });
+    const auto splitHalf = [&](std::size_t i)
+    { this->Split(level, child + (i << (splits - 1)), leaf + i * half, bits - 1, chosen + 1, splits - 1, forks - 1); };
+    if (forks > 0)
+    {
+      ParallelFor(2, splitHalf);
+      return;
+    }
+    splitHalf(0);
+    splitHalf(1);
   }
 };
 

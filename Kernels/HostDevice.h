@@ -173,8 +173,8 @@ const uint SECTION_CAPS = 0u, SECTION_OPEN = 1u, SECTION_WHOLE = 2u;
 // So many lights are uniforms; a light kit has five.
 const uint FEW_LIGHTS = 8u;
 
-// Of values of corners, what lies below the one is notANumber or, below the other, noValue (TriangleMesh.h); numbers
-// lie above -1000.
+// A corner's value below the first one is notANumber and, below the second, noValue (TriangleMesh.h); numbers lie above
+// -1000.
 const float LEAST_NUMBER = -2e3f, LEAST_VALUE = -1e10f;
 
 // Input of a dispatch. A uniform block rather than a buffer's address: CPU devices load uniforms once for all

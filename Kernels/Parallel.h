@@ -47,17 +47,4 @@ void ParallelEach(std::size_t count, Work&& work)
     });
 }
 
-/// Both; at the same time if requested.
-template <class Left, class Right>
-void ParallelInvoke(bool parallel, Left&& left, Right&& right)
-{
-  if (parallel)
-  {
-    ParallelFor(2, [&](std::size_t i) { i == 0 ? left() : right(); });
-    return;
-  }
-  left();
-  right();
-}
-
 } // namespace rtg

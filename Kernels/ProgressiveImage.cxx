@@ -75,7 +75,7 @@ struct ProgressiveImage::Request
 
   bool IsTimed() const { return this->effort.seconds > 0.0; }
   double Left() const { return this->start + this->effort.seconds - this->source.Now(); }
-  // Of work that takes the image's progress to that value.
+  // The callback of work that takes the image's progress to that value.
   Interrupt MakeInterrupt(double to) const
   {
     if (!this->IsTimed() && !this->interrupt)
@@ -258,7 +258,7 @@ void ProgressiveImage::Restart(const Request& request)
   this->settings_.features = request.effort.features || request.Denoises();
 }
 
-// Where the time is limited: of as many pixels as it allows.
+// Traces a preview, where the time is limited one of as many pixels as it allows.
 void ProgressiveImage::Preview(const Request& request)
 {
   const TraceSettings& whole = this->view_.settings;
@@ -282,7 +282,7 @@ void ProgressiveImage::Preview(const Request& request)
   const double seconds =
     request.effort.preview ? request.effort.seconds : std::max(request.effort.seconds, request.effort.firstSeconds);
   const auto left = [&] { return request.start + seconds - request.source.Now(); };
-  // To begin again costs more than a little more time.
+  // A new preview costs more than a little more time.
   const Interrupt patient = [&](double)
   { return (request.IsTimed() && left() <= -seconds) || (request.interrupt && request.interrupt(0.0)); };
   const bool known = this->secondsPerPreviewRay_ > 0.0 || !request.IsTimed();

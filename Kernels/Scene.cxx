@@ -160,11 +160,6 @@ const GlyphInstances& Scene::InstancesOf(SetId id) const
   return this->state_->Find(id).instances;
 }
 
-std::size_t Scene::GlyphCount(SetId id) const
-{
-  return this->state_->Find(id).count;
-}
-
 std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
 {
   const GlyphSet& set = this->state_->Find(id);
@@ -314,7 +309,7 @@ void Scene::Commit(const std::function<void(double)>& progress)
     });
 }
 
-// Into the device's batch; `sent`: sets of which something is in it.
+// Puts changes into the device's batch; `sent`: sets of which something is in it.
 void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
 {
   for (auto& [id, set] : this->sets)

@@ -61,7 +61,6 @@ public:
   /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
   void SetCameraVisible(SetId id, bool visible);
 
-  std::size_t GlyphCount(SetId id) const;
   const GlyphInstances& InstancesOf(SetId id) const;
   /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it, of an image of these instances.
   std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;

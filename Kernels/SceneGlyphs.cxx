@@ -21,7 +21,8 @@ vk::AabbPositionsKHR ToVulkan(const Box& box)
 
 // One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
 constexpr std::size_t glyphsPerLeaf = 2;
-// From so many leaves met by a line on average, rays find so soon what stops them that dropping what lies behind pays.
+// Where a line meets more leaves than this on average, rays soon find what stops them, and culling what lies behind
+// pays.
 constexpr double leavesWorthDropping = 20.0;
 // Bytes of a glyph in lavapipe's structure; those of GPUs are smaller.
 constexpr std::size_t bytesPerBox = 88;
@@ -41,7 +42,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
   // The old arrays are not shown any more, and a large set may not fit twice. Only a mesh may be used again.
   PlacedMesh mesh = this->Withdraw(set).mesh;
   Stopwatch watch;
-  // Those of Measure(), unless old instances are placed anew.
+  // Measure() has listed the boxes, unless old instances are placed anew.
   std::vector<Box> list = std::move(set.boxes);
   set.boxes = {};
   if (list.empty())
@@ -116,9 +117,9 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
   this->statistics->uploadSeconds += watch.Lap();
 }
 
-// Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
-// it. A GPU's driver sorts for itself. Glyphs of a time series mostly stay near those beside which they were: as long
-// as the nodes above the leaves have not grown by much, the last order does.
+// Sorts glyphs into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input
+// where it finds it. A GPU's driver sorts for itself. Glyphs of a time series mostly stay near those beside which they
+// were: as long as the nodes above the leaves have not grown by much, the last order does.
 void Scene::State::Sort(GlyphSet& set, const BoxReader& boxes)
 {
   if (this->structure == Structure::Boxes && !this->device->IsCpu())

@@ -119,7 +119,7 @@ void Scene::State::UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh)
   }
 }
 
-// The same mesh at other places is sent once, and of one that has only other colors nothing but these.
+// A mesh that is only copied to other places is not sent again, and where only its colors are new these are sent alone.
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;

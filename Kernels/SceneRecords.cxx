@@ -70,7 +70,7 @@ void Scene::State::BuildTopLevels()
   this->statistics->buildSeconds += watch.Lap();
 }
 
-// In the scene's coordinates.
+// Bounds in the scene's coordinates.
 Box Scene::State::BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const
 {
   const glm::vec3 offset(set.instances.origin + image.offset - this->records.origin);
@@ -101,7 +101,7 @@ std::vector<GlyphSet::Image> GlyphSet::Images() const
   return result;
 }
 
-// Of the top-level structure of a slice, out of 2^sliceBits.
+// The instances of the top-level structure of a slice, out of 2^sliceBits.
 std::vector<vk::AccelerationStructureInstanceKHR>
 Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
 {
@@ -125,7 +125,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
         instance.transform.matrix = translation;
         instance.instanceCustomIndex = record++;
         instance.mask = set.Mask(image.shown);
-        // Of translucent triangles a ray is to be brought all.
+        // Queries yield every translucent triangle that a ray meets.
         instance.flags =
           static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
                                                                     : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
@@ -168,7 +168,7 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record) co
   }
 }
 
-// In the order of InstancesIn().
+// Records have the order of InstancesIn().
 void Scene::State::FillRecords()
 {
   std::vector<device::GlyphSetRecord> filled;
@@ -239,7 +239,7 @@ void Scene::State::FillRecords()
       }
       runs.push_back(record);
     }
-    // The same at each place.
+    // Each periodic image has the same records at another place.
     for (const GlyphSet::Image& image : set.Images())
     {
       const Box bounds = this->BoundsOf(set, image);

@@ -196,7 +196,7 @@ struct Scene::State
   /// Most AABBs of a bottom-level structure; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
-  /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
+  /// Most elements of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
   std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
   std::shared_ptr<Statistics> statistics;
@@ -219,14 +219,14 @@ struct Scene::State
   void DropTopLevels();
   /// Sorts and sends one set's glyphs and builds what rays find them by.
   void Place(GlyphSet& set, float reach);
-  /// Those arrays whose bits `variants` has.
+  /// Sends the arrays whose bits `variants` has.
   void SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants = ~0u);
   /// Sends what glyphs are copies of, and builds what rays find its triangles by. False: nothing but its colors is new.
   bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
   /// Whether mesh glyphs need a tree of their own: where there are no triangles of the driver, and where these, which
   /// are placed in float, would not do.
   bool NeedsMeshTree(const GlyphSet& set) const;
-  /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
+  /// Sends the colors of a mesh that stays. To one that goes the batch would copy when its buffer is no more.
   void UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,

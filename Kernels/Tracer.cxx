@@ -39,7 +39,7 @@ struct Tracer::State
     std::uint32_t atOnce = 1;              ///< likewise, of the next
     double longest = 0.0;                  ///< seconds of a launch of the one in work
 
-    /// Of the samples requested, those that are traced; the tiles before firstTile have those in work.
+    /// The fraction of the requested samples that is traced; tiles before firstTile have those in work.
     double TracedFraction() const
     {
       const double tiles = double(this->frame.firstTile - this->tiling.Begin()) / std::max(1u, this->tiling.Size());
@@ -84,7 +84,7 @@ const Statistics& Tracer::GetStatistics() const
   return this->state_->shared->GetStatistics();
 }
 
-// But for samples and times.
+// The frame's record but for samples and times.
 device::FrameRecord Tracer::State::MakeFrame(const SceneRecords& scene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass)
 {
@@ -228,7 +228,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     [&]
     {
       state.Begin(glyphs, camera, lights, settings, pass, static_cast<bool>(interrupt));
-      // Only what was begun as a whole can be gone on with.
+      // Resume() needs an image whose Begin() has succeeded.
       state.job.sceneVersion = glyphs.version;
       state.Run(interrupt);
     });

@@ -104,15 +104,15 @@ struct TraceSettings
   /// The samples of a pixel are independent instead of stratified (Shading/Sobol.glsl): they err more,
   /// but their confidence intervals are known. For tests and references.
   bool independentSamples = false;
-  /// Of the finished image, for the times of scenes that move; 0: `samples`. Such images are the same for any division
-  /// of the samples into calls only when it is given.
+  /// Samples a pixel of the finished image, for the times of scenes that move; 0: `samples`. Such images are the same
+  /// for any division of the samples into calls only when it is given.
   std::uint32_t plannedSamples = 0;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on
 
-  /// Of so many equal parts of the image, scattered over it in tiles, this one is traced, < parts; the rest stays
-  /// empty. For processes that trace an image together.
+  /// The image has so many equal parts, scattered over it in tiles. This one, < parts, is traced; the rest stays empty.
+  /// For processes that trace an image together.
   std::uint32_t part = 0, parts = 1;
 
   bool operator==(const TraceSettings&) const = default;

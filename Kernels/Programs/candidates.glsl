@@ -115,8 +115,8 @@ void AddLayer(const GlyphCrossing added, const float error, const float transmit
   }
 }
 
-// Up to where further layers are wanted, of those up to tMax. The driver's BVH yields the opaque ones among the
-// rest, so that the last of the layers may lie behind that.
+// The t, at most tMax, up to which further layers are wanted. The driver's BVH yields opaque surfaces among the layers,
+// so that the last layer may lie behind one.
 float LayersEnd(const float tMax)
 {
   return layerCount == layerLimit || layersStopLight ? min(tMax, LayerAt(layerCount - 1u).t) : tMax;
@@ -168,7 +168,7 @@ bool IntersectCandidate(const uint record, const GlyphSetRecord set, const Glyph
   return met;
 }
 
-// The same of a glyph that is cut by itself: of the driver's BVH each, of the plugin's those that take their cut along.
+// Intersects a candidate of a set with a cut: one of the driver's BVH, or one that takes its cut along.
 bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
   const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {

@@ -28,7 +28,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
 {
   GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax, vec3(0.0));
   uint slice = moves ? uint(shutterTime * float(frame.topLevelCount)) : 0u;
-  // Of triangles the driver takes the nearest, but for translucent ones that it is to bring, too.
+  // The driver commits the nearest triangle; translucent ones are candidates.
   uint flags = (any ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT) |
     (translucency || (layered && gathers) ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
   rayQueryEXT query;

@@ -7,8 +7,8 @@
 // Parts of a ray that are left, at most. Programs that cut nothing have no second round.
 const uint partsOfRay = 1u + (inSomeSets & SECTION) / SECTION;
 
-// Of the part that is being traced: where it begins in a plane that is to be closed, and which one, or none; and the
-// number of the first crossing on it.
+// The part of the ray that is being traced: where it begins in a plane that is to be closed, and which one, or none;
+// and the number of the first crossing on it.
 float capStart = -1.0;
 uint capPlane = nothing;
 uint firstCrossing = 0u;
@@ -106,14 +106,14 @@ Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number
   return span;
 }
 
-// From where to where part 0 or 1 of the ray between tMin and tMax goes; nowhere when it ends before it begins. `body`:
-// of a set with SECTION. Unless `cuts`, part 0 is all of it.
+// The interval of part 0 or 1 of the ray between tMin and tMax; empty when it ends before it begins. `body`: of a set
+// with SECTION. Unless `cuts`, part 0 is all of it.
 vec2 BeginPart(
   const GlyphSetRecord set, const bool cuts, const Span body, const uint part, const float tMin, const float tMax)
 {
   bool keeps = cuts && set.sectionKeepsInside != 0u;
   bool meets = cuts && !IsEmpty(body);
-  // In the body, or behind it; else up to it.
+  // A part lies in the body, or behind it; else it goes up to it.
   bool begins = meets && (keeps || part == 1u);
   bool ends = meets && (keeps || part == 0u);
   float start = keeps ? body.sIn.hi : body.sOut.hi;

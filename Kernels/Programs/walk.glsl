@@ -29,7 +29,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
   bool going = true;
   do
   {
-    // In plain arithmetic to the next glyph that must be looked at exactly: so the lanes of a CPU device do that
+    // Plain arithmetic goes on to the next glyph that must be intersected exactly: so the lanes of a CPU device do that
     // together, and most rays only once.
     uint candidate = nothing;
     do

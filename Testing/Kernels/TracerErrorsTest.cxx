@@ -27,7 +27,7 @@ TEST_F(TracerTest, SetsThatAreNotThereAreNamed)
   refused([&] { this->scene.SetColors(77, {}); });
   refused([&] { this->scene.SetMaterial(77, {}); });
   refused([&] { this->scene.SetVisible(77, false); });
-  refused([&] { this->scene.GlyphCount(77); });
+  refused([&] { this->scene.InstancesOf(77); });
   refused([&] { this->scene.OriginalGlyph(77, 0); });
   this->scene.Remove(77);
   const auto id = this->AddSpheres(RandomPoints(50), 0.1f);
@@ -67,7 +67,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
     const std::string refusal = rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
     if (!refusal.empty())
     {
-      EXPECT_EQ(this->scene.GlyphCount(id), 0u);
+      EXPECT_EQ(this->scene.InstancesOf(id).Count(), 0u);
     }
     return refusal;
   };

@@ -478,7 +478,7 @@ TEST_P(StructureTest, EmptyThingsAreFine)
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
   const auto id = this->AddSpheres({}, 1.0f);
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
-  EXPECT_EQ(this->scene.GlyphCount(id), 0u);
+  EXPECT_EQ(this->scene.InstancesOf(id).Count(), 0u);
   this->settings.width = 0;
   EXPECT_EQ(this->Trace().color, nullptr);
   this->settings.keepSums = true;

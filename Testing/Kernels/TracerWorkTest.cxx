@@ -181,7 +181,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t before = vulkan.submissions;
     scene.Commit();
     seen.commit = vulkan.submissions - before;
-    scene.SetColors(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
+    scene.SetColors(last, std::vector<std::uint32_t>(scene.InstancesOf(last).Count(), 0xff4080c0u));
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recoloring = vulkan.submissions - between;
