@@ -167,13 +167,10 @@ const Image* ProgressiveImage::Update(
     const bool hasNumber = this->traced_.complete && begun == effort.samples;
     const bool otherNumber =
       effort.exact && !hasNumber && (this->settings_.plannedSamples != effort.samples || begun > effort.samples);
-    if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_))
-    {
-      this->Restart(request);
-    }
-    else if (!effort.preview &&
-      (cannotGrow || otherNumber ||
-        (lacksFeatures && (effort.features || effort.denoising == Denoising::Always || !this->Has(effort.samples)))))
+    const bool needsFeatures =
+      lacksFeatures && (effort.features || effort.denoising == Denoising::Always || !this->Has(effort.samples));
+    if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_) ||
+      (!effort.preview && (cannotGrow || otherNumber || needsFeatures)))
     {
       this->Restart(request);
     }

@@ -36,7 +36,7 @@ struct Tracer::State
     Tiling tiling;
     device::FrameRecord frame{};           ///< of the samples in work; firstTile: the first one that lacks them
     std::uint32_t atFirst = 1, atMost = 1; ///< samples of one dispatch over all tiles: of the first, of any
-    std::uint32_t atOnce = 1;              ///< likewise, of the next
+    std::uint32_t atOnce = 1;              ///< likewise, of the next where launches are cut
     double longest = 0.0;                  ///< seconds of a launch of the one in work
 
     /// The fraction of the requested samples that is traced; tiles before firstTile have those in work.
@@ -128,9 +128,9 @@ void Tracer::State::Begin(const SceneRecords& scene, const Camera& camera, const
     return;
   }
   begun.atMost = SamplesAtOnce(settings, pixels);
-  begun.atFirst = this->launcher.Cuts(interruptible) ? std::min(SamplesAtFirst(settings), begun.atMost) : begun.atMost;
-  begun.atOnce = begun.atFirst;
-  const bool keeps = settings.keepSums || begun.atOnce < settings.samples;
+  begun.atOnce = begun.atFirst = std::min(SamplesAtFirst(settings), begun.atMost);
+  const std::uint32_t atOnce = this->launcher.Cuts(interruptible) ? begun.atFirst : begun.atMost;
+  const bool keeps = settings.keepSums || atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.sets.empty();
   if (empty || interruptible || settings.parts > 1)
@@ -186,7 +186,8 @@ void Tracer::State::Run(const Interrupt& interrupt)
       if (frame.firstTile == work.tiling.Begin())
       {
         frame.firstSample = work.image.samples;
-        frame.samples = std::min(work.atOnce, settings.samples - frame.firstSample);
+        frame.samples = std::min(
+          this->launcher.Cuts(interruptible) ? work.atOnce : work.atMost, settings.samples - frame.firstSample);
         work.longest = 0.0;
       }
       work.longest = std::max(work.longest,

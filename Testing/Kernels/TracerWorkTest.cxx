@@ -315,8 +315,15 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
   this->settings.paths = 64;
   EXPECT_EQ(trace(stop).samples, 1u);
 
-  // Of launches that turn out to be quick the next ones have more, step by step.
+  // Also where the image began without a callback.
   this->settings.paths = 1;
+  this->settings.samples = 1;
+  this->settings.keepSums = true;
+  trace({});
+  EXPECT_LE(this->tracer->Resume(this->scene, 1u << 20, stop).samples, 33u);
+  this->settings.keepSums = false;
+
+  // Of launches that turn out to be quick the next ones have more, step by step.
   this->settings.samples = 5000;
   std::vector<double> steps;
   double before = 0.0;
