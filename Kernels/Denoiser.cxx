@@ -51,7 +51,7 @@ struct Guide
 class Filter
 {
 public:
-  // Of a pixel whose mean is no number nothing is known.
+  // A pixel whose mean is no number counts as unknown.
   Filter(const DenoiserGuides& guides, const std::vector<glm::vec4>& means, const std::stop_token& stop)
     : width_(static_cast<int>(guides.width))
     , height_(static_cast<int>(guides.height))
@@ -106,7 +106,6 @@ public:
   // The variance of the luminance around each pixel, over pixels alike.
   void EstimateVariance(std::vector<Estimate>& lights) const
   {
-    std::vector<float> variances(lights.size(), 0.0f);
     this->ForRows(
       [&](int y)
       {
@@ -133,13 +132,9 @@ public:
               }
             }
           }
-          variances[at] = std::max(0.0f, squares / weights - sum * sum / (weights * weights));
+          lights[at].w = std::max(0.0f, squares / weights - sum * sum / (weights * weights));
         }
       });
-    for (std::size_t i = 0; i < lights.size(); ++i)
-    {
-      lights[i].w = variances[i];
-    }
   }
 
   // One level of the transform: a smoother image from one of taps `step` apart.

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr std::uint32_t mostColumns = 512, mostRows = 256;
-// Of the mean: below it scattered rays find the light often enough.
+// Scattered rays find light below that multiple of the mean often enough.
 constexpr double thresholdOverMean = 2.0;
 
 // Sine of the latitude of the lower edge of a row.
@@ -28,12 +28,12 @@ double SineOf(std::uint32_t row, std::uint32_t rows)
 // Transactions on Software Engineering 17(9), 1991.
 void FillAliases(const std::vector<double>& weights, double total, std::vector<EnvironmentCell>& cells)
 {
-  std::vector<double> share(weights.size());
+  std::vector<double> scaled(weights.size());
   std::vector<std::uint32_t> poor, rich;
   for (std::uint32_t i = 0; i < weights.size(); ++i)
   {
-    share[i] = weights[i] / total * static_cast<double>(weights.size());
-    (share[i] < 1.0 ? poor : rich).push_back(i);
+    scaled[i] = weights[i] / total * static_cast<double>(weights.size());
+    (scaled[i] < 1.0 ? poor : rich).push_back(i);
   }
   for (std::uint32_t i = 0; i < cells.size(); ++i)
   {
@@ -44,10 +44,10 @@ void FillAliases(const std::vector<double>& weights, double total, std::vector<E
   {
     const std::uint32_t from = poor.back(), to = rich.back();
     poor.pop_back();
-    cells[from].probability = static_cast<float>(share[from]);
+    cells[from].probability = static_cast<float>(scaled[from]);
     cells[from].alias = to;
-    share[to] -= 1.0 - share[from];
-    if (share[to] < 1.0)
+    scaled[to] -= 1.0 - scaled[from];
+    if (scaled[to] < 1.0)
     {
       rich.pop_back();
       poor.push_back(to);
@@ -124,7 +124,8 @@ glm::vec3 MeanRadiance(const EnvironmentImage& image, const glm::vec3& normal)
   {
     const double sine = 0.5 * (SineOf(row, image.height) + SineOf(row + 1, image.height));
     const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
-    const double share = (SineOf(row + 1, image.height) - SineOf(row, image.height)) * 2.0 / image.width;
+    // A texel's solid angle over pi.
+    const double overPi = (SineOf(row + 1, image.height) - SineOf(row, image.height)) * 2.0 / image.width;
     for (std::uint32_t column = 0; column < image.width; ++column)
     {
       const double longitude = ((column + 0.5) / image.width - 0.5) * 2.0 * glm::pi<double>();
@@ -132,7 +133,7 @@ glm::vec3 MeanRadiance(const EnvironmentImage& image, const glm::vec3& normal)
         cosine * (std::cos(longitude) * glm::dvec3(image.right) + std::sin(longitude) * front) +
         sine * glm::dvec3(image.up);
       const double facing = std::max(glm::dot(direction, glm::dvec3(normal)), 0.0);
-      sum += share * facing * glm::dvec3(image.radiance[std::size_t(row) * image.width + column]);
+      sum += overPi * facing * glm::dvec3(image.radiance[std::size_t(row) * image.width + column]);
     }
   }
   return sum;

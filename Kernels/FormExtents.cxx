@@ -105,7 +105,7 @@ double FormMeter::Value(const double* coefficients, const glm::dvec3& n) const
   return sum;
 }
 
-// To the top of |f| near a direction, by ever smaller steps.
+// Finds the maximum of |f| near a direction, by ever smaller steps.
 double FormMeter::Climb(const double* coefficients, glm::dvec3 n) const
 {
   double best = std::abs(this->Value(coefficients, n));

@@ -15,12 +15,12 @@ namespace
 
 constexpr std::uint32_t maxSide = 32768;       ///< of an image, in pixels; more than any OpenGL viewport
 constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
-constexpr std::uint32_t maxShares = 1u << 20;  ///< of an image
+constexpr std::uint32_t maxParts = 1u << 20;   ///< of an image
 
-// Of the whole image, over all calls.
+// Samples of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
 {
-  return settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
+  return settings.plannedSamples ? settings.plannedSamples : settings.samples;
 }
 
 // Secondary rays per sample.
@@ -120,7 +120,6 @@ void CheckSettings(const TraceSettings& settings)
     }
   };
   check("the samples per pixel", settings.samples, 1u, maxSamples);
-  check("the number of the first sample", settings.firstSample, 0u, maxSamples);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
   check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
   check("the number of paths a sample", settings.paths, 1u, 64u);
@@ -133,9 +132,9 @@ void CheckSettings(const TraceSettings& settings)
   const float groundNormal = glm::length(settings.groundNormal);
   check("the length of the ground's normal", groundNormal, groundNormal > 0.0f ? 0.999f : 0.0f, 1.001f);
   check("the ground's height", std::abs(settings.groundHeight), 0.0, double(FLT_MAX));
-  check("the number of shares", settings.shares, 1u, maxShares);
-  check("the share", settings.share, 0u, settings.shares - 1u);
-  if (settings.shares > 1 && settings.features)
+  check("the number of parts", settings.parts, 1u, maxParts);
+  check("the part", settings.part, 0u, settings.parts - 1u);
+  if (settings.parts > 1 && settings.features)
   {
     throw Error("Ray Traced Glyphs: features need the whole image, not a part of it.");
   }
@@ -172,52 +171,60 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
   frame.toneMapping = static_cast<std::uint32_t>(settings.toneMapping);
 }
 
-// Features that local shading does not use need no program of their own.
-Specialization SpecializationFor(const TraceSettings& settings)
+void FillConstants(Constants& constants, const SceneRecords& scene)
 {
-  Specialization specialization;
-  const ShadingTraits traits = TraitsOf(settings);
-  // Local shading with shadows is ambient occlusion without the sky.
-  const bool shadowsOnly = settings.shadows && settings.shading == Shading::Local;
-  specialization.program = static_cast<std::uint32_t>(shadowsOnly ? Shading::AmbientOcclusion : settings.shading);
-  Constants& constants = specialization.constants;
-  constants.independentSamples = settings.independentSamples && traits.scatters;
-  constants.gathersFeatures = settings.features;
-  constants.environmentImage = settings.environmentImage && traits.environmentImage;
-  constants.shadows = settings.shadows && settings.shading != Shading::PathTracing;
-  constants.sky = settings.shading == Shading::AmbientOcclusion;
-  constants.ground = traits.scatters && settings.groundNormal != glm::vec3(0.0f);
-  return specialization;
-}
-
-void FillConstants(Constants& constants, const Scene::State& scene)
-{
-  constants.alone = scene.records.size() == 1;
-  constants.moves = scene.moves;
-  constants.rayQueries = scene.structure == Structure::Boxes;
+  constants.alone = scene.sets.size() == 1;
+  constants.rayQueries = !scene.topLevels.empty();
   constants.inAllSets = ~device::RUN_TIME_FEATURES;
   constants.inSomeSets = device::RUN_TIME_FEATURES;
-  for (const device::GlyphSetRecord& record : scene.records)
+  for (const device::GlyphSetRecord& record : scene.sets)
   {
     constants.shapes |= 1u << record.shape;
     constants.inAllSets &= record.variants;
     constants.inSomeSets |= record.variants;
     constants.degree = std::max(constants.degree, record.polynomialDegree);
   }
+  constants.moves = Variants{ constants.inSomeSets }.Moves();
 }
 
-void FillScene(device::FrameRecord& frame, const Scene::State& scene)
+// Features that a mode does not use need no program of their own.
+Specialization
+SpecializationFor(const SceneRecords& scene, std::size_t lights, const TraceSettings& settings, Pass pass)
 {
-  frame.sets = scene.recordBuffer.Address();
-  frame.setCount = static_cast<std::uint32_t>(scene.records.size());
-  frame.onlySet = scene.records.front();
+  Specialization specialization;
+  const ShadingTraits traits = TraitsOf(settings);
+  Constants& constants = specialization.constants;
+  FillConstants(constants, scene);
+  const bool translucent = std::any_of(
+    scene.sets.begin(), scene.sets.end(), [](const device::GlyphSetRecord& record) { return record.translucent != 0; });
+  constants.shadows = settings.shadows && traits.withShadows;
+  specialization.program = static_cast<std::uint32_t>(constants.shadows ? *traits.withShadows : settings.shading);
+  constants.sky = traits.linear;
+  constants.independentSamples = settings.independentSamples && (traits.scatters || constants.moves);
+  constants.gathersFeatures = settings.features;
+  constants.environmentImage = settings.environmentImage && traits.environmentImage;
+  constants.ground = traits.scatters && settings.groundNormal != glm::vec3(0.0f);
+  constants.manyLights = lights > device::FEW_LIGHTS;
+  constants.layered = pass == Pass::Translucent && traits.layers;
+  constants.translucency = traits.scatters && translucent;
+  constants.leavesSurface = traits.scatters || constants.layered;
+  return specialization;
+}
+
+void FillScene(device::FrameRecord& frame, const SceneRecords& scene)
+{
+  frame.sets = scene.buffer.Address();
+  frame.setCount = static_cast<std::uint32_t>(scene.sets.size());
+  frame.onlySet = scene.sets.front();
   frame.topLevels = scene.topLevelAddresses.Address();
   frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
-  frame.sceneLower = scene.bounds.lower;
-  frame.sceneUpper = scene.bounds.upper;
+  frame.sceneLower = scene.sets.front().lower;
+  frame.sceneUpper = scene.sets.front().upper;
   frame.layerLimit = 1;
-  for (const device::GlyphSetRecord& record : scene.records)
+  for (const device::GlyphSetRecord& record : scene.sets)
   {
+    frame.sceneLower = glm::min(frame.sceneLower, record.lower);
+    frame.sceneUpper = glm::max(frame.sceneUpper, record.upper);
     frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
   }
 }
@@ -225,8 +232,7 @@ void FillScene(device::FrameRecord& frame, const Scene::State& scene)
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
 {
   const std::size_t cameraRays = std::size_t(1) << TraitsOf(settings).atOnce;
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * RaysPerSample(settings)));
-  return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
+  return static_cast<std::uint32_t>(std::max<std::size_t>(1, cameraRays / (pixels * RaysPerSample(settings))));
 }
 
 std::uint32_t SamplesAtFirst(const TraceSettings& settings)

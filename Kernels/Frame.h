@@ -23,19 +23,20 @@ void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low);
 /// `origin`: of the scene, in world coordinates.
 void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dvec3& origin);
 std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin);
-/// But for samples, which are those of one dispatch, and times.
+/// Fills in all settings but the samples, which are those of one dispatch, and times.
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, const glm::dvec3& origin);
 
-/// The program for these settings, but for what the scene and the pass say.
-Specialization SpecializationFor(const TraceSettings& settings);
 /// Values of the scene.
-void FillConstants(Constants& constants, const Scene::State& scene);
-/// Of a scene that has something.
-void FillScene(device::FrameRecord& frame, const Scene::State& scene);
+void FillConstants(Constants& constants, const SceneRecords& scene);
+/// The program for an image of a pass, in so many lights.
+Specialization
+SpecializationFor(const SceneRecords& scene, std::size_t lights, const TraceSettings& settings, Pass pass);
+/// The scene must have a visible set.
+void FillScene(device::FrameRecord& frame, const SceneRecords& scene);
 
 /// Samples a pixel in one dispatch at most: a driver resets a GPU whose dispatch takes seconds.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
-/// The same of the first dispatch, while the cost of a sample is unknown: few pixels are few threads, each
+/// Samples a pixel in the first dispatch, while the cost of a sample is unknown: few pixels are few threads, each
 /// of which traces all of its samples one after the other.
 std::uint32_t SamplesAtFirst(const TraceSettings& settings);
 

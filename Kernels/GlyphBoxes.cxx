@@ -17,8 +17,8 @@ namespace rtg
 namespace
 {
 
-// In single precision: what that loses, a few roundings of the glyph's own size, every box is widened by. Only what
-// lies between glyphs, their centers and paths, needs double.
+// Shapes are bounded in single precision, and every box is widened by what that loses, a few roundings of the glyph's
+// own size. Only what lies between glyphs, their centers and paths, needs double.
 using HostShapes = shapes::Kernel<float>;
 constexpr float roundings = 1e-6f;
 
@@ -39,8 +39,8 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.size = instances.SizeOf(i);
   glyph.sameSize = instances.sizes3.empty();
   glyph.joined = false;
-  glyph.turned = !instances.rotations.empty();
-  glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
+  glyph.rotated = !instances.rotations.empty();
+  glyph.rotation = glyph.rotated ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
   // A flat end cuts a little off the box of the round one.
@@ -98,7 +98,7 @@ DoubleBox MeshBox(const DoubleBox& form, const HostShapes::Glyph& glyph, const g
   const glm::dvec3 middle = 0.5 * (form.lower + form.upper);
   const glm::dvec3 reach = 0.5 * (form.upper - form.lower);
   glm::dmat3 linear(1.0);
-  if (glyph.turned)
+  if (glyph.rotated)
   {
     const glm::dvec4 q(glyph.rotation);
     linear = glm::mat3_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
@@ -123,9 +123,9 @@ DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const
   }
   glm::vec3 lower, upper;
   HostShapes::GlyphBounds(subject.instances.shape, glyph, lower, upper);
-  // Of a glyph that is turned, all its axes go into each of the box's.
+  // Each axis of the box depends on all axes of a rotated glyph.
   const glm::vec3 reach = glm::max(glm::abs(lower), glm::abs(upper));
-  const glm::vec3 padding = roundings * (glyph.turned ? glm::vec3(std::max({ reach.x, reach.y, reach.z })) : reach);
+  const glm::vec3 padding = roundings * (glyph.rotated ? glm::vec3(std::max({ reach.x, reach.y, reach.z })) : reach);
   return { glm::dvec3(lower - padding), glm::dvec3(upper + padding) };
 }
 
@@ -139,7 +139,7 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   const glm::dvec3 center = Center(instances, i);
   const glm::dquat rotation(still.rotation.w, still.rotation.x, still.rotation.y, still.rotation.z);
   HostShapes::Glyph upright = still;
-  upright.turned = false;
+  upright.rotated = false;
   const DoubleBox own = StillBox(subject, upright, center);
   const double radius = glm::length(glm::max(glm::abs(own.lower), glm::abs(own.upper)));
   const DoubleBox ball{ glm::dvec3(-radius), glm::dvec3(radius) };
@@ -150,11 +150,11 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   DoubleBox box;
   for (double piece = 0.5; piece < pieces; piece += 1.0)
   {
-    HostShapes::Glyph turned = still;
-    turned.turned = true;
-    const glm::dquat turn = instances.motion.Turn(i, first + (last - first) * piece / pieces) * rotation;
-    turned.rotation = glm::vec4(turn.x, turn.y, turn.z, turn.w);
-    box.Include(StillBox(subject, turned, center));
+    HostShapes::Glyph rotated = still;
+    rotated.rotated = true;
+    const glm::dquat orientation = instances.motion.RotationAt(i, first + (last - first) * piece / pieces) * rotation;
+    rotated.rotation = glm::vec4(orientation.x, orientation.y, orientation.z, orientation.w);
+    box.Include(StillBox(subject, rotated, center));
   }
   const double deviation = radius * (0.5 * angle / pieces);
   return { glm::max(box.lower - deviation, ball.lower), glm::min(box.upper + deviation, ball.upper) };
@@ -213,7 +213,7 @@ std::vector<Box> ListedBoxes(const GlyphInstances& instances)
   return AreBalls(instances) ? std::vector<Box>() : GlyphBoxes(instances);
 }
 
-// As of any other glyph.
+// Widened as the box of any other glyph.
 Box BallBox(const glm::vec3& center, const glm::vec3& centerLow, float size)
 {
   const float reach = 0.5f * size;

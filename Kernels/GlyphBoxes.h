@@ -80,7 +80,7 @@ Box UnionOf(const BoxReader& boxes);
 /// The boxes in that order; in their own when it is empty.
 std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order);
 
-/// The box of a glyph of these sizes, not turned, relative to its center; of polynomials the largest. None of
+/// The box of a glyph of these sizes, not rotated, relative to its center; of polynomials the largest. None of
 /// Shape::Mesh.
 DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& size);
 

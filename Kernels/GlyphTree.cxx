@@ -283,13 +283,15 @@ struct KdSplitter
     Entry* const first = this->entries;
     PartitionAlong(
       first + this->Start(leaf), first + this->Start(leaf + half), first + this->Start(leaf + 2 * half), *chosen);
-    ParallelInvoke(
-      forks > 0, [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
-      [&]
-      {
-        this->Split(
-          level, child + (std::size_t(1) << (splits - 1)), leaf + half, bits - 1, chosen + 1, splits - 1, forks - 1);
-      });
+    const auto splitHalf = [&](std::size_t i)
+    { this->Split(level, child + (i << (splits - 1)), leaf + i * half, bits - 1, chosen + 1, splits - 1, forks - 1); };
+    if (forks > 0)
+    {
+      ParallelFor(2, splitHalf);
+      return;
+    }
+    splitHalf(0);
+    splitHalf(1);
   }
 };
 
@@ -315,7 +317,7 @@ std::uint8_t StepAbove(double value)
 
 // The traversal rounds the parameter at which a ray meets a plane by a few ulps of what the plane lies from the node's
 // origin, which the boxes are wider by; BoxRay in Programs/tree.glsl has the rest.
-GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
+GlyphTreeNode Quantize(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
 {
   GlyphTreeNode node{};
   node.axes = axes;
@@ -422,7 +424,7 @@ GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, cons
         const Box* const parts = lowest ? leaves : &below[children * i];
         current[i] = std::accumulate(parts, parts + children, Box(), Union);
         const std::size_t node = GlyphTree::LevelOffset(level) + i;
-        tree.nodes[node] = Quantise(current[i], parts, children, axes[node]);
+        tree.nodes[node] = Quantize(current[i], parts, children, axes[node]);
       });
     below = std::move(current);
   }

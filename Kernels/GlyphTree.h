@@ -36,8 +36,8 @@ struct GlyphTree
 {
   std::uint32_t leafBits = 0;
   std::uint32_t levels = 0; ///< of nodes, 1 to maxLevels
-  /// Of what moves there are versions of the tree, one for each of 2^sliceBits slices of the shutter's opening: a ray
-  /// reads the one in whose slice its time falls, where boxes are little longer than the things.
+  /// A tree of moving things has a version for each of 2^sliceBits slices of the shutter's opening. A ray reads the one
+  /// in whose slice its time falls, where boxes are little longer than the things.
   std::uint32_t sliceBits = 0;
   std::uint32_t nodesPerSlice = 0;
   std::vector<GlyphTreeNode> nodes; ///< slice by slice

@@ -119,7 +119,7 @@ struct GlyphInstances
 {
   Shape shape = Shape::Sphere;
   ArrowForm arrow;
-  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, turned, and moved to its center.
+  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, rotated, and moved to its center.
   std::shared_ptr<const TriangleMesh> mesh;
   /// Shape::Mesh only: images name the triangle, not the glyph; for surfaces, which are a single glyph.
   bool identifyTriangles = false;
@@ -153,9 +153,9 @@ struct GlyphInstances
   /// p.x^2 + f.y p.y^2 + f.z p.z^2, in place of the glyphs' colors; their opacity stays. Not for Shape::Mesh.
   std::vector<glm::vec3> forms;
 
-  /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that even degree,
-  /// 2 to 12. In units of a glyph's size its surface is at the distance |f| / 2 from the center. Of
-  /// Shape::SweptEllipsoid what StoreSweep() makes of the next pieces of a line, or empty: what lies inside these
+  /// Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that even degree,
+  /// 2 to 12. In units of a glyph's size its surface is at the distance |f| / 2 from the center.
+  /// Shape::SweptEllipsoid: what StoreSweep() makes of the next pieces of a line, or empty: what lies inside these
   /// counts as surface, too.
   GlyphTuples polynomials;
   int polynomialDegree = 0;
@@ -173,7 +173,7 @@ struct GlyphInstances
 
   /// Shape::RoundCone only: what a piece of a line meets at its end at -x and at +x, in its own frame
   /// (Shapes/RoundCone.glsl), or empty: both ends are round, and what lies inside other pieces counts as surface, too.
-  /// Of Shape::SweptEllipsoid these, sizes and exponents are what StoreSweep() makes of two ellipsoids.
+  /// Shape::SweptEllipsoid: StoreSweep() makes these, sizes and exponents of two ellipsoids.
   std::vector<glm::vec4> before, after;
 
   GlyphMotion motion;

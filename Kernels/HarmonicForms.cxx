@@ -109,6 +109,17 @@ Form Harmonic(int l, int m, bool sine, int degree)
   return form;
 }
 
+// The least even degree, up to the largest, with so many terms.
+int DegreeOf(int terms)
+{
+  int degree = 0;
+  while (degree < mostDegree && FormTerms(degree) < terms)
+  {
+    degree += 2;
+  }
+  return degree;
+}
+
 } // namespace
 
 FormMap::FormMap(int components, int degree)
@@ -120,12 +131,7 @@ FormMap::FormMap(int components, int degree)
 
 bool FormMap::IsHarmonicsLength(int components)
 {
-  int degree = 0;
-  while (degree < mostDegree && FormTerms(degree) < components)
-  {
-    degree += 2;
-  }
-  return FormTerms(degree) == components;
+  return FormTerms(DegreeOf(components)) == components;
 }
 
 bool FormMap::IsFourthOrderLength(int components)
@@ -140,11 +146,7 @@ FormMap FormMap::Harmonics(int components, HarmonicsBasis basis)
     throw Error("Ray Traced Glyphs: spherical harmonics of " + std::to_string(components) +
       " components; give 1, 6, 15, 28, 45, 66 or 91.");
   }
-  int most = 0;
-  while (FormTerms(most) < components)
-  {
-    most += 2;
-  }
+  const int most = DegreeOf(components);
   FormMap map(components, std::max(most, 2));
   const bool dipy = basis == HarmonicsBasis::Dipy || basis == HarmonicsBasis::DipyLegacy;
   for (int l = 0; l <= most; l += 2)
@@ -180,12 +182,6 @@ FormMap FormMap::FourthOrder(int components)
       " components; give 15, 21, 36 or 81.");
   }
   FormMap map(components, 4);
-  const auto add = [&map](std::array<int, 4> indices, int component)
-  {
-    const auto count = [&indices](int axis)
-    { return static_cast<int>(std::count(indices.begin(), indices.end(), axis)); };
-    map.At(FormTerm(count(1), count(2)), component) += 1.0;
-  };
   constexpr int voigt[3][3] = { { 0, 5, 4 }, { 5, 1, 3 }, { 4, 3, 2 } };
   for (int index = 0; index < 81; ++index)
   {
@@ -194,11 +190,12 @@ FormMap FormMap::FourthOrder(int components)
     const int low = std::min(row, column), high = std::max(row, column);
     const auto count = [&indices](int axis)
     { return static_cast<int>(std::count(indices.begin(), indices.end(), axis)); };
-    add(indices,
-      components == 81     ? index
-        : components == 36 ? 6 * row + column
-        : components == 21 ? low * 6 - low * (low - 1) / 2 + high - low
-                           : FormTerm(count(1), count(2)));
+    const int term = FormTerm(count(1), count(2));
+    const int component = components == 81 ? index
+      : components == 36                   ? 6 * row + column
+      : components == 21                   ? low * 6 - low * (low - 1) / 2 + high - low
+                                           : term;
+    map.At(term, component) += 1.0;
   }
   return map;
 }

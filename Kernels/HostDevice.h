@@ -157,9 +157,9 @@ const uint LAUNCH_GROUP = 64u;
 // Bits of instance masks. Sets that camera rays do not see shade the others all the same.
 const uint OPAQUE_MASK = 1u;
 const uint TRANSLUCENT_MASK = 2u;
-const uint UNSEEN_OPAQUE_MASK = 4u;
-const uint UNSEEN_TRANSLUCENT_MASK = 8u;
-const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSEEN_TRANSLUCENT_MASK;
+const uint INDIRECT_OPAQUE_MASK = 4u;
+const uint INDIRECT_TRANSLUCENT_MASK = 8u;
+const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | INDIRECT_OPAQUE_MASK | INDIRECT_TRANSLUCENT_MASK;
 
 // Layers of translucent surfaces that one traversal gathers at most, and the fraction of light below which what shines
 // through them is left out: half a level of a display's 255.
@@ -173,8 +173,8 @@ const uint SECTION_CAPS = 0u, SECTION_OPEN = 1u, SECTION_WHOLE = 2u;
 // So many lights are uniforms; a light kit has five.
 const uint FEW_LIGHTS = 8u;
 
-// Of values of corners, what lies below the one is notANumber or, below the other, noValue (TriangleMesh.h); numbers
-// lie above -1000.
+// A corner's value below the first one is notANumber and, below the second, noValue (TriangleMesh.h); numbers lie above
+// -1000.
 const float LEAST_NUMBER = -2e3f, LEAST_VALUE = -1e10f;
 
 // Input of a dispatch. A uniform block rather than a buffer's address: CPU devices load uniforms once for all

@@ -29,7 +29,7 @@ void ImageBuffers::Prepare(Device::State& device, const TraceSettings& settings,
   {
     this->features_ = Buffer();
   }
-  else if (settings.firstSample == 0)
+  else
   {
     this->features_.Fit(device, this->pixels_ * sizeof(device::PixelFeatures));
     this->features_.Fill(0, this->pixels_ * sizeof(device::PixelFeatures), 0);

@@ -61,8 +61,8 @@ double Launcher::NextSamples(std::uint32_t samples, double longest)
   return samples * std::min(8.0, launchSeconds / std::max(longest, 1e-9));
 }
 
-// Of the `left` tiles those of the next launch, by the measured cost of the program's launches: at most eight times as
-// many as in the last one, because costs differ, and eight in the first.
+// The number of tiles of the next launch, out of `left`, by the measured cost of the program's launches: at most eight
+// times as many as in the last one, because costs differ, and eight in the first.
 std::uint32_t Launcher::TilesAtOnce(
   const TracerResources::Cost& cost, std::uint32_t left, std::uint32_t samples, bool interruptible) const
 {
@@ -90,7 +90,7 @@ double Launcher::LaunchTiles(const Pipeline& pipeline, TracerResources::Cost& co
   const LaunchGrid grid(tiles);
   this->Launch(pipeline, frame, grid.columns * raysPerTile, grid.rows);
   frame.firstTile = frame.endTile;
-  // Of old and new costs the mean: launches differ.
+  // The mean of old and new costs, because launches differ.
   const double seconds = watch.Lap();
   const double perRay = seconds / (double(tiles) * raysPerTile * frame.samples);
   cost.secondsPerRay = cost.secondsPerRay > 0.0 ? 0.5 * (cost.secondsPerRay + perRay) : perRay;

@@ -20,7 +20,7 @@ glm::dvec3 GlyphMotion::Displacement(std::size_t glyph, double time) const
   return displacement;
 }
 
-glm::dquat GlyphMotion::Turn(std::size_t glyph, double time) const
+glm::dquat GlyphMotion::RotationAt(std::size_t glyph, double time) const
 {
   const glm::dvec3 rotation = this->Spins() ? time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
   const double angle = glm::length(rotation);

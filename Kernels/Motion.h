@@ -32,8 +32,7 @@ struct GlyphMotion
     return this->shutterOpen + fraction * (double(this->shutterClose) - this->shutterOpen);
   }
   ///@{
-  /// The same, as early and as late as programs may take it for, which compute it in float: next to time zero that is
-  /// off by many of its own ulps.
+  /// Bounds of that time as programs compute it, in float: next to time zero that is off by many of its own ulps.
   double EarliestTime(double fraction) const { return this->Time(fraction) - this->ErrorOfTime(); }
   double LatestTime(double fraction) const { return this->Time(fraction) + this->ErrorOfTime(); }
   double ErrorOfTime() const
@@ -45,14 +44,14 @@ struct GlyphMotion
   /// x(t) - x(0).
   glm::dvec3 Displacement(std::size_t glyph, double time) const;
   /// Unit quaternion of the rotation since time 0.
-  glm::dquat Turn(std::size_t glyph, double time) const;
+  glm::dquat RotationAt(std::size_t glyph, double time) const;
 
   bool operator==(const GlyphMotion&) const = default;
 };
 
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.
 DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
-/// The same, with the rounding of the device's arithmetic in float: a few ulps of its terms.
+/// That range widened by the rounding of the device's arithmetic in float: a few ulps of its terms.
 DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 
 } // namespace rtg

@@ -24,7 +24,7 @@ DoubleBox Moved(const Box& box, const glm::dvec3& by)
   return { glm::dvec3(box.lower) + by, glm::dvec3(box.upper) + by };
 }
 
-// Those values of an array with one value for each of what is chosen from, or none.
+// Keeps the values with these indices. An array without values stays so.
 template <class Value>
 void Keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept)
 {
@@ -87,7 +87,7 @@ std::shared_ptr<const TriangleMesh> Cut(const GlyphInstances& instances, const D
 class Writer
 {
 public:
-  /// Of arrays with a value for each glyph those of the kept ones are written.
+  /// Arrays with a value for each glyph are written for the kept glyphs only.
   explicit Writer(const std::vector<std::uint32_t>& kept)
     : kept_(kept)
   {

@@ -9,8 +9,8 @@
 namespace rtg
 {
 
-/// Those of a set whose boxes (GlyphBoxes()) touch `region`, which is in world coordinates: of a surface, which is a
-/// single mesh, the triangles. Empty: there are none. The bytes are for processes with the same byte order.
+/// Packs the glyphs of a set whose boxes (GlyphBoxes()) touch `region`, which is in world coordinates; of a surface,
+/// which is a single mesh, the triangles. Empty: there are none. The bytes are for processes with the same byte order.
 std::vector<char> PackNear(
   const GlyphInstances& instances, const GlyphColors& colors, const std::vector<Box>& boxes, const DoubleBox& region);
 

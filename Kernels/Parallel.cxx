@@ -155,9 +155,4 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& work
   Pool::Get().For(count, work);
 }
 
-void RunInBackground(std::function<void()> task)
-{
-  std::thread(std::move(task)).detach();
-}
-
 } // namespace rtg

@@ -1,11 +1,9 @@
-// Work on all cores: loops, and tasks in the background.
+// Loops on all cores.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <future>
-#include <memory>
 #include <utility>
 
 namespace rtg
@@ -47,29 +45,6 @@ void ParallelEach(std::size_t count, Work&& work)
         work(i);
       }
     });
-}
-
-/// Both; at the same time if requested.
-template <class Left, class Right>
-void ParallelInvoke(bool parallel, Left&& left, Right&& right)
-{
-  if (parallel)
-  {
-    ParallelFor(2, [&](std::size_t i) { i == 0 ? left() : right(); });
-    return;
-  }
-  left();
-  right();
-}
-
-/// Starts the task on a thread of its own until it is done. It must not throw; a packaged one may. Its
-/// future does not wait when it is dropped, as that of std::async does: its holder waits before what the task
-/// uses goes away.
-void RunInBackground(std::function<void()> task);
-template <class Result>
-void RunInBackground(std::packaged_task<Result()> task)
-{
-  RunInBackground([shared = std::make_shared<std::packaged_task<Result()>>(std::move(task))] { (*shared)(); });
 }
 
 } // namespace rtg

@@ -1,10 +1,10 @@
 #include "ProgressiveImage.h"
 
-#include "Parallel.h"
 #include "Tiles.h"
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 namespace rtg
@@ -75,18 +75,15 @@ struct ProgressiveImage::Request
 
   bool IsTimed() const { return this->effort.seconds > 0.0; }
   double Left() const { return this->start + this->effort.seconds - this->source.Now(); }
-  // Of work that takes the image's progress from one value to another.
-  Interrupt MakeInterrupt(double from, double to) const
+  // The callback of work that takes the image's progress to that value.
+  Interrupt MakeInterrupt(double to) const
   {
     if (!this->IsTimed() && !this->interrupt)
     {
       return {};
     }
-    return [this, from, to](double share)
-    {
-      return (this->IsTimed() && this->Left() <= 0.0) ||
-        (this->interrupt && this->interrupt(from + share * (to - from)));
-    };
+    return [this, to](double fraction)
+    { return (this->IsTimed() && this->Left() <= 0.0) || (this->interrupt && this->interrupt(fraction * to)); };
   }
   bool Denoises() const { return rtg::Denoises(this->view, this->effort); }
 };
@@ -110,11 +107,9 @@ void ProgressiveImage::StopSmoothing()
 void ProgressiveImage::Forget()
 {
   this->state_ = State::Empty;
-  this->image_ = {};
+  this->traced_ = this->preview_ = {};
   this->hasPicture_ = false;
-  this->samples_ = 0;
   this->previewStep_ = 0;
-  this->pending_ = this->canContinue_ = this->features_ = false;
   this->smooth_.clear();
   this->smoothSamples_ = 0;
   this->StopSmoothing();
@@ -126,8 +121,7 @@ double ProgressiveImage::Progress() const
   {
     return this->state_ == State::Empty ? 0.0 : 1.0;
   }
-  const double part = this->pending_ ? this->pendingShare_ * this->pendingSamples_ : 0.0;
-  return std::min(0.999, (this->samples_ + part) / std::max(1u, this->wanted_));
+  return std::min(0.999, this->traced_.fraction * this->settings_.samples / std::max(1u, this->wanted_));
 }
 
 bool ProgressiveImage::MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const
@@ -167,25 +161,23 @@ const Image* ProgressiveImage::Update(
     }
     prepared = true;
     this->wanted_ = effort.samples;
-    const bool lacksFeatures = (effort.features || request.Denoises()) && !this->features_;
-    const std::uint32_t begun = this->samples_ + (this->pending_ ? this->pendingSamples_ : 0);
-    const bool cannotGrow = 0 < begun && begun < effort.samples && !this->canContinue_;
-    const bool otherNumber = effort.exact && this->planned_ != effort.samples && this->samples_ != effort.samples;
-    if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_))
-    {
-      this->Restart(request);
-    }
-    else if (!effort.preview &&
-      (cannotGrow || otherNumber ||
-        (lacksFeatures &&
-          (effort.features || effort.denoising == Denoising::Always || this->samples_ < effort.samples))))
+    const bool lacksFeatures = (effort.features || request.Denoises()) && !this->settings_.features;
+    const std::uint32_t begun = this->settings_.samples;
+    const bool cannotGrow = 0 < begun && begun < effort.samples && !this->settings_.keepSums;
+    const bool hasNumber = this->traced_.complete && begun == effort.samples;
+    const bool otherNumber =
+      effort.exact && !hasNumber && (this->settings_.plannedSamples != effort.samples || begun > effort.samples);
+    const bool needsFeatures =
+      lacksFeatures && (effort.features || effort.denoising == Denoising::Always || !this->Has(effort.samples));
+    if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_) ||
+      (!effort.preview && (cannotGrow || otherNumber || needsFeatures)))
     {
       this->Restart(request);
     }
 
     if (effort.preview)
     {
-      const bool sharp = this->samples_ > 0 || (this->previewStep_ > 0 && this->previewStep_ <= effort.pixelStep);
+      const bool sharp = this->IsComplete() || (this->previewStep_ > 0 && this->previewStep_ <= effort.pixelStep);
       if (!sharp)
       {
         this->Preview(request);
@@ -197,11 +189,11 @@ const Image* ProgressiveImage::Update(
       this->Smooth(request);
       this->ExpectOtherLight(request);
     }
-    const bool smoothed = effort.denoising != Denoising::Always || !request.Denoises() || !this->features_ ||
-      effort.preview || this->smoothSamples_ == this->samples_;
-    this->state_ = this->samples_ >= effort.samples && smoothed ? State::Finished : State::Growing;
+    const bool smoothed = effort.denoising != Denoising::Always || !request.Denoises() || !this->settings_.features ||
+      effort.preview || this->smoothSamples_ == this->traced_.samples;
+    this->state_ = this->Has(effort.samples) && smoothed ? State::Finished : State::Growing;
     this->lostDevice_ = false;
-    return &this->image_;
+    return &this->GetImage();
   }
   catch (const std::bad_alloc&)
   {
@@ -239,7 +231,7 @@ void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, 
 // Each launch has some of the work.
 bool ProgressiveImage::WaitsForProgram(const Image& image)
 {
-  this->compiling_ = !image.complete && image.share <= 0.0f;
+  this->compiling_ = !image.complete && image.fraction <= 0.0;
   return this->compiling_;
 }
 
@@ -257,28 +249,23 @@ void ProgressiveImage::Restart(const Request& request)
     this->secondsPerRay_ = 0.0;
   }
   this->view_ = request.view;
-  this->planned_ = request.effort.samples;
-  this->features_ = request.effort.features || request.Denoises();
+  this->settings_ = request.view.settings;
+  this->settings_.samples = 0;
+  this->settings_.plannedSamples = request.effort.samples;
+  this->settings_.features = request.effort.features || request.Denoises();
 }
 
-void ProgressiveImage::Show(const Image& image)
-{
-  this->image_ = image;
-  this->hasPicture_ = true;
-  ++this->version_;
-}
-
-// Where the time is limited: of as many pixels as it allows.
+// Traces a preview, where the time is limited one of as many pixels as it allows.
 void ProgressiveImage::Preview(const Request& request)
 {
   const TraceSettings& whole = this->view_.settings;
   TraceSettings settings = whole;
   settings.shading = Shading::Local;
   settings.shadows = false;
-  settings.plannedSamples = this->planned_;
+  settings.plannedSamples = this->settings_.plannedSamples;
   // It is quick: each process that traces a part of the image traces all of it.
-  settings.share = 0;
-  settings.shares = 1;
+  settings.part = 0;
+  settings.parts = 1;
   const auto affordable = [&](double time)
   {
     std::uint32_t step = std::max(1u, request.effort.pixelStep);
@@ -292,7 +279,7 @@ void ProgressiveImage::Preview(const Request& request)
   const double seconds =
     request.effort.preview ? request.effort.seconds : std::max(request.effort.seconds, request.effort.firstSeconds);
   const auto left = [&] { return request.start + seconds - request.source.Now(); };
-  // To begin again costs more than a little more time.
+  // A new preview costs more than a little more time.
   const Interrupt patient = [&](double)
   { return (request.IsTimed() && left() <= -seconds) || (request.interrupt && request.interrupt(0.0)); };
   const bool known = this->secondsPerPreviewRay_ > 0.0 || !request.IsTimed();
@@ -326,7 +313,9 @@ void ProgressiveImage::Preview(const Request& request)
       continue;
     }
     this->previewStep_ = step;
-    this->Show(image);
+    this->preview_ = image;
+    this->hasPicture_ = true;
+    ++this->version_;
     return;
   }
 }
@@ -336,8 +325,8 @@ void ProgressiveImage::Grow(const Request& request)
 {
   const ImageEffort& effort = request.effort;
   const auto pixels = static_cast<double>(Pixels(this->view_));
-  const bool begun = this->pending_ && this->pendingShare_ > 0.0;
-  if (request.IsTimed() && this->samples_ == 0 && !begun && !this->hasPicture_ && !this->onlyLightChanged_)
+  const bool begun = this->settings_.samples > 0 && this->traced_.fraction > 0.0;
+  if (request.IsTimed() && !begun && !this->hasPicture_ && !this->onlyLightChanged_)
   {
     // Something to see at once, unless a sample of all pixels is as quick.
     const bool quick = this->secondsPerRay_ > 0.0 && this->secondsPerRay_ * pixels < 0.5 * effort.seconds;
@@ -350,59 +339,51 @@ void ProgressiveImage::Grow(const Request& request)
       return;
     }
   }
-  std::uint32_t added = 0;
+  const std::uint32_t had = this->traced_.samples;
   bool interrupted = false;
-  const double wanted = effort.samples;
-  while (this->samples_ < effort.samples && !interrupted && (effort.samplesAtOnce == 0 || added < effort.samplesAtOnce))
+  while (!this->Has(effort.samples) && !interrupted &&
+    (effort.samplesAtOnce == 0 || this->traced_.samples - had < effort.samplesAtOnce))
   {
-    const double before = request.source.Now();
-    Image image;
-    if (this->pending_)
+    const double start = request.source.Now();
+    const bool begins = this->settings_.samples == 0;
+    const double samples = this->traced_.fraction * this->settings_.samples;
+    if (this->traced_.complete)
     {
-      image = request.source.Resume(
-        request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + this->pendingSamples_) / wanted));
-    }
-    else
-    {
-      TraceSettings settings = this->view_.settings;
-      std::uint32_t left = effort.samples - this->samples_;
+      std::uint32_t left = effort.samples - this->traced_.samples;
       if (effort.samplesAtOnce > 0)
       {
-        left = std::min(left, effort.samplesAtOnce - added);
+        left = std::min(left, had + effort.samplesAtOnce - this->traced_.samples);
       }
       else if (request.IsTimed())
       {
         const double affordable = this->secondsPerRay_ > 0.0 ? request.Left() / (this->secondsPerRay_ * pixels) : 1.0;
         left = std::min(left, static_cast<std::uint32_t>(std::clamp(affordable, 1.0, 1e6)));
       }
-      settings.samples = left;
-      settings.firstSample = this->samples_;
-      settings.plannedSamples = this->planned_;
-      settings.features = this->features_;
-      settings.keepSums = !effort.exact || this->features_ || this->samples_ + left < effort.samples;
-      this->canContinue_ = settings.keepSums;
-      this->pendingSamples_ = left;
-      this->pendingSeconds_ = 0.0;
-      image = request.source.Trace(
-        this->view_, settings, request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + left) / wanted));
+      this->settings_.samples += left;
     }
-    const bool waits = this->WaitsForProgram(image);
-    const std::uint32_t before_ = this->samples_;
-    this->pending_ = interrupted = !image.complete;
-    this->pendingShare_ = image.share;
-    this->pendingSeconds_ += waits ? 0.0 : request.source.Now() - before;
-    if (image.complete)
+    const Interrupt interrupt = request.MakeInterrupt(double(this->settings_.samples) / effort.samples);
+    if (begins)
     {
-      this->samples_ = image.samples;
-      added += this->samples_ - before_;
-      const double cost = this->pendingSeconds_ / (pixels * std::max(1u, this->samples_ - before_));
+      this->settings_.keepSums = !effort.exact || this->settings_.features || this->settings_.samples < effort.samples;
+      this->traced_ = request.source.Trace(this->view_, this->settings_, interrupt);
+    }
+    else
+    {
+      this->traced_ = request.source.Resume(this->settings_.samples, interrupt);
+    }
+    interrupted = !this->traced_.complete;
+    const double added = this->traced_.fraction * this->settings_.samples - samples;
+    const bool waits = this->WaitsForProgram(this->traced_);
+    if (added > 0.0)
+    {
+      const double cost = (request.source.Now() - start) / (pixels * added);
       this->secondsPerRay_ = this->secondsPerRay_ > 0.0 ? 0.5 * (this->secondsPerRay_ + cost) : cost;
     }
     // A first sample that not all pixels have is shown only where there is nothing else.
-    if (image.complete || this->samples_ > 0 ||
-      (!waits && this->previewStep_ == 0 && !(request.IsTimed() && this->onlyLightChanged_)))
+    if (this->IsComplete() || (!waits && this->previewStep_ == 0 && !(request.IsTimed() && this->onlyLightChanged_)))
     {
-      this->Show(image);
+      this->hasPicture_ = true;
+      ++this->version_;
     }
     interrupted |= request.IsTimed() && (request.Left() <= 0.0 || this->IsWorthSmoothing(request));
   }
@@ -411,27 +392,25 @@ void ProgressiveImage::Grow(const Request& request)
 // Denoising takes about as long as a sample: only when there is a good deal more to see, or nothing more to come.
 bool ProgressiveImage::IsWorthSmoothing(const Request& request) const
 {
-  const bool finished = this->samples_ >= request.effort.samples;
-  const bool more = this->smoothSamples_ == 0 || 2 * this->samples_ >= 3 * this->smoothSamples_ ||
-    (finished && this->smoothSamples_ != this->samples_);
-  return more && this->features_ && request.Denoises() && this->samples_ > 0 && !this->smoothing_.valid() &&
-    !this->pending_ && this->image_.complete;
+  const std::uint32_t samples = this->traced_.samples;
+  const bool more = this->smoothSamples_ == 0 || 2 * samples >= 3 * this->smoothSamples_ ||
+    (this->Has(request.effort.samples) && this->smoothSamples_ != samples);
+  return more && this->settings_.features && request.Denoises() && this->Has(1) && !this->smoothing_.valid();
 }
 
 // Colors with less noise, of the image as it is or, where the time is limited, as it was when another thread began.
 void ProgressiveImage::Smooth(const Request& request)
 {
   const ImageEffort& effort = request.effort;
-  const bool finished = this->samples_ >= effort.samples;
-  const bool wanted =
-    this->features_ && request.Denoises() && this->samples_ > 0 && (effort.denoising == Denoising::Always || !finished);
+  const bool wanted = this->settings_.features && request.Denoises() && this->IsComplete() &&
+    (effort.denoising == Denoising::Always || !this->Has(effort.samples));
   if (!wanted)
   {
     if (this->smoothSamples_ > 0)
     {
       this->smooth_.clear();
       this->smoothSamples_ = 0;
-      this->image_.color = this->image_.traced;
+      this->traced_.color = this->traced_.traced;
       ++this->version_;
     }
     return;
@@ -449,14 +428,14 @@ void ProgressiveImage::Smooth(const Request& request)
   }
   if (this->IsWorthSmoothing(request))
   {
-    this->smoothingSamples_ = this->samples_;
+    this->smoothingSamples_ = this->traced_.samples;
     this->stopOfSmoothing_ = std::stop_source();
     std::packaged_task<std::vector<std::uint32_t>()> denoising(
-      request.source.Denoise(this->image_, this->stopOfSmoothing_.get_token()));
+      request.source.Denoise(this->traced_, this->stopOfSmoothing_.get_token()));
     this->smoothing_ = denoising.get_future();
     if (request.IsTimed())
     {
-      RunInBackground(std::move(denoising));
+      std::thread(std::move(denoising)).detach();
     }
     else
     {
@@ -466,14 +445,14 @@ void ProgressiveImage::Smooth(const Request& request)
   }
   if (this->smoothSamples_ > 0)
   {
-    this->image_.color = this->smooth_.data();
+    this->traced_.color = this->smooth_.data();
   }
 }
 
 // The user may switch to another shading mode.
 void ProgressiveImage::ExpectOtherLight(const Request& request)
 {
-  if (!request.IsTimed() || this->samples_ == 0)
+  if (!request.IsTimed() || !this->IsComplete())
   {
     return;
   }

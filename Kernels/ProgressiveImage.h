@@ -67,7 +67,8 @@ public:
   /// Brings device and scene up to date. False: samples that the tracer kept are gone.
   virtual bool Prepare() = 0;
   virtual Image Trace(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
-  virtual Image Resume(const Interrupt& interrupt) = 0;
+  /// Goes on with that image until it has so many samples.
+  virtual Image Resume(std::uint32_t samples, const Interrupt& interrupt) = 0;
   /// Traces an image beside that one, which stays as it is, in the view's previewLights.
   virtual Image Preview(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
   /// Images of the view may soon be wanted with one of these settings: what that takes is prepared in the background.
@@ -130,19 +131,22 @@ public:
   State GetState() const { return this->state_; }
   const Failure& GetFailure() const { return this->failure_; }
   /// Samples that all pixels have.
-  std::uint32_t Samples() const { return this->samples_; }
+  std::uint32_t Samples() const { return this->traced_.samples; }
   /// In [0, 1]; 1: finished, or failed, so that more calls of the same kind change nothing.
   double Progress() const;
   /// Grows whenever the pixels of the image change.
   std::uint64_t Version() const { return this->version_; }
   /// The image's view, and whether it has full resolution.
   const ImageView& View() const { return this->view_; }
-  bool IsComplete() const { return this->samples_ > 0; }
+  bool IsComplete() const { return this->traced_.samples > 0; }
   /// The last Update() found that the program it needs is still being compiled.
   bool IsCompiling() const { return this->compiling_; }
   /// False: there is nothing to show of the view yet.
   bool HasPicture() const { return this->hasPicture_; }
-  const Image& GetImage() const { return this->image_; }
+  const Image& GetImage() const
+  {
+    return this->IsComplete() || this->previewStep_ == 0 ? this->traced_ : this->preview_;
+  }
 
 private:
   struct Request; ///< of one Update()
@@ -152,31 +156,26 @@ private:
   void Restart(const Request& request);
   void Preview(const Request& request);
   void Grow(const Request& request);
+  /// Whether each pixel has that many samples, or more, and all have the same number.
+  bool Has(std::uint32_t samples) const { return this->traced_.complete && this->traced_.samples >= samples; }
   bool IsWorthSmoothing(const Request& request) const;
   void Smooth(const Request& request);
   void ExpectOtherLight(const Request& request);
-  void Show(const Image& image);
   void StopSmoothing();
   void Fail(const Request& request, bool prepared, bool memory, const char* message);
 
   State state_ = State::Empty;
   Failure failure_;
   ImageView view_;
-  Image image_;
+  TraceSettings settings_; ///< of the image's samples that were requested so far
+  Image traced_;           ///< of them what the tracer has
+  Image preview_;
   bool compiling_ = false, hasPicture_ = false;
   bool onlyLightChanged_ = false; ///< since there was a picture
   std::uint64_t version_ = 0;
-  std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last requested
-  std::uint32_t planned_ = 1;        ///< likewise, when the first sample was traced
-  std::uint32_t samples_ = 0;        ///< that all pixels have
-  std::uint32_t previewStep_ = 0;    ///< of the preview that is there; 0: none
-  bool pending_ = false;             ///< the tracer was interrupted, and goes on by Resume()
-  std::uint32_t pendingSamples_ = 0; ///< as requested
-  double pendingShare_ = 0.0;        ///< of them that is traced
-  double pendingSeconds_ = 0.0;      ///< that this took
-  bool canContinue_ = false;         ///< the tracer keeps the sums of samples_
-  bool features_ = false;            ///< and of normals and so on
-  double secondsPerRay_ = 0.0;       ///< of a sample; 0: unknown
+  std::uint32_t wanted_ = 1;      ///< samples of a finished image, as last requested
+  std::uint32_t previewStep_ = 0; ///< of the preview that is there; 0: none
+  double secondsPerRay_ = 0.0;    ///< of a sample; 0: unknown
   double secondsPerPreviewRay_ = 0.0;
 
   // Denoised colors, and the number of samples that they were made of.

@@ -49,35 +49,16 @@ float SmallestExtent(const std::vector<Box>& boxes)
 
 } // namespace
 
-Statistics& Statistics::operator+=(const Statistics& other)
-{
-  this->structureBuilds += other.structureBuilds;
-  this->topLevelBuilds += other.topLevelBuilds;
-  this->instanceUploads += other.instanceUploads;
-  this->colorUploads += other.colorUploads;
-  this->sorts += other.sorts;
-  this->programsAhead += other.programsAhead;
-  this->pipelineBuilds += other.pipelineBuilds;
-  this->dispatches += other.dispatches;
-  this->primaryRays += other.primaryRays;
-  this->deviceBytes = std::max(this->deviceBytes, other.deviceBytes);
-  this->sortSeconds += other.sortSeconds;
-  this->buildSeconds += other.buildSeconds;
-  this->uploadSeconds += other.uploadSeconds;
-  this->traceSeconds += other.traceSeconds;
-  this->denoiseSeconds += other.denoiseSeconds;
-  return *this;
-}
-
-Scene::State::State(std::shared_ptr<Device> d)
+Scene::State::State(std::shared_ptr<Device> d, std::shared_ptr<Statistics> s)
   : device(std::move(d))
   , mostInstances(device->GetState().structureLimits.maxInstanceCount)
   , structure(ChooseStructure(*device, device->GetState().rayQueries))
+  , statistics(std::move(s))
 {
 }
 
-Scene::Scene(std::shared_ptr<Device> device)
-  : state_(std::make_unique<State>(std::move(device)))
+Scene::Scene(std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics)
+  : state_(std::make_unique<State>(std::move(device), std::move(statistics)))
 {
 }
 
@@ -169,19 +150,14 @@ void Scene::SetVisible(SetId id, bool visible, bool keep)
   set.kept = keep;
 }
 
-void Scene::SetSeen(SetId id, bool seen)
+void Scene::SetCameraVisible(SetId id, bool visible)
 {
-  this->state_->Find(id).seen = seen;
+  this->state_->Find(id).cameraVisible = visible;
 }
 
 const GlyphInstances& Scene::InstancesOf(SetId id) const
 {
   return this->state_->Find(id).instances;
-}
-
-std::size_t Scene::GlyphCount(SetId id) const
-{
-  return this->state_->Find(id).count;
 }
 
 std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
@@ -198,28 +174,30 @@ std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
 
 bool Scene::HasTranslucent() const
 {
-  const auto& sets = this->state_->sets;
-  return std::any_of(sets.begin(), sets.end(),
-    [](const auto& entry) { return entry.second.visible && entry.second.count && entry.second.Translucent(); });
+  return this->state_->Shows(true);
 }
 
 bool Scene::HasOpaque() const
 {
-  const auto& sets = this->state_->sets;
-  return std::any_of(sets.begin(), sets.end(),
-    [](const auto& entry) { return entry.second.visible && entry.second.count && !entry.second.Translucent(); });
+  return this->state_->Shows(false);
 }
 
 const Statistics& Scene::GetStatistics() const
 {
-  this->state_->statistics.deviceBytes = this->state_->device->HeldBytes();
-  return this->state_->statistics;
+  this->state_->statistics->deviceBytes = this->state_->device->HeldBytes();
+  return *this->state_->statistics;
 }
 
-std::uint64_t Scene::State::NextVersion()
+std::uint64_t SceneRecords::NextVersion()
 {
   static std::atomic<std::uint64_t> last{ 0 };
   return ++last;
+}
+
+bool Scene::State::Shows(bool translucent) const
+{
+  return std::any_of(this->sets.begin(), this->sets.end(),
+    [&](const auto& entry) { return entry.second.Shown() && entry.second.Translucent() == translucent; });
 }
 
 GlyphSet& Scene::State::Find(SetId id)
@@ -242,21 +220,21 @@ float Scene::State::Measure()
       set.bounds = UnionOf({ set.instances, set.boxes });
       set.smallest = set.instances.shape == Shape::Mesh ? SmallestExtent(set.boxes) : 0.0f;
       set.measured = true;
-      this->TellStage(set);
+      this->progress.Add(set.count);
     }
   }
   // The scene's origin is that of its first visible set: near what is looked at.
   const auto first =
     std::find_if(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
   const glm::dvec3 newOrigin = first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
-  this->topLevelChanged |= newOrigin != this->origin;
-  this->origin = newOrigin;
+  this->topLevelChanged |= newOrigin != this->records.origin;
+  this->records.origin = newOrigin;
   float reach = 0.0f;
   for (const auto& [id, set] : this->sets)
   {
     if (set.Shown())
     {
-      const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin) + set.ImageReach();
+      const glm::dvec3 offset = glm::abs(set.instances.origin - newOrigin) + set.ImageReach();
       reach = std::max(reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
     }
   }
@@ -274,32 +252,29 @@ PlacedGlyphs Scene::State::Withdraw(GlyphSet& set)
 
 void Scene::State::DropTopLevels()
 {
-  this->topLevels.clear();
-  this->records.clear();
+  this->records = SceneRecords{ .origin = this->records.origin };
   this->topLevelChanged = true;
-  this->version = NextVersion();
 }
 
-void Scene::State::CountStages()
+std::uint64_t Scene::State::CountStages() const
 {
-  this->stages = this->stagesDone = 0;
+  constexpr std::uint64_t stagesPerGlyph = 4;
+  std::uint64_t stages = 0;
   for (const auto& [id, set] : this->sets)
   {
-    if (set.Shown() && (set.instancesChanged || !set.measured))
-    {
-      this->stages += stagesPerGlyph * set.count;
-    }
+    stages += set.Shown() && (set.instancesChanged || !set.measured) ? stagesPerGlyph * set.count : 0;
   }
+  return stages;
 }
 
-void Scene::State::TellStage(const GlyphSet& set)
+void CommitProgress::Add(std::size_t glyphs)
 {
-  this->stagesDone += set.count;
-  if (this->progress && this->stages > 0)
+  this->done += glyphs;
+  if (this->report && this->stages > 0)
   {
     // The callback may use the device itself, for instance draw another view: that must not wait for the batch.
     Batch* const batch = std::exchange(Device::State::batch, nullptr);
-    this->progress(std::min(1.0, static_cast<double>(this->stagesDone) / static_cast<double>(this->stages)));
+    this->report(std::min(1.0, static_cast<double>(this->done) / static_cast<double>(this->stages)));
     Device::State::batch = batch;
   }
 }
@@ -307,8 +282,7 @@ void Scene::State::TellStage(const GlyphSet& set)
 void Scene::Commit(const std::function<void(double)>& progress)
 {
   State& state = *this->state_;
-  state.progress = progress;
-  state.CountStages();
+  state.progress = { progress, state.CountStages() };
   Device::State& vulkan = state.device->GetState();
   vulkan.Guard("sending glyphs",
     [&]
@@ -335,7 +309,7 @@ void Scene::Commit(const std::function<void(double)>& progress)
     });
 }
 
-// Into the device's batch; `sent`: sets of which something is in it.
+// Puts changes into the device's batch; `sent`: sets of which something is in it.
 void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
 {
   for (auto& [id, set] : this->sets)
@@ -378,7 +352,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
   if (this->recordsChanged)
   {
     this->FillRecords();
-    this->version = NextVersion();
+    this->records.version = SceneRecords::NextVersion();
   }
 }
 

@@ -12,7 +12,8 @@ namespace rtg
 
 class Device;
 
-/// Work done and memory held; every count only grows. Seconds are wall-clock.
+/// Work done and memory held; every count only grows. Seconds are wall-clock. The scenes and tracers of a view count in
+/// one object.
 struct Statistics
 {
   std::uint64_t structureBuilds = 0; ///< trees, or bottom-level structures of the driver, built
@@ -30,9 +31,6 @@ struct Statistics
   double uploadSeconds = 0.0;
   double traceSeconds = 0.0;
   double denoiseSeconds = 0.0;
-
-  /// Adds the counts of another; bytes are the larger ones.
-  Statistics& operator+=(const Statistics& other);
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.
@@ -44,7 +42,8 @@ class Scene
 public:
   using SetId = std::uint32_t;
 
-  explicit Scene(std::shared_ptr<Device> device);
+  explicit Scene(
+    std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics = std::make_shared<Statistics>());
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -60,9 +59,8 @@ public:
   /// `keep`: what of the set is on the device stays there, for it to be visible again at once.
   void SetVisible(SetId id, bool visible, bool keep = false);
   /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
-  void SetSeen(SetId id, bool seen);
+  void SetCameraVisible(SetId id, bool visible);
 
-  std::size_t GlyphCount(SetId id) const;
   const GlyphInstances& InstancesOf(SetId id) const;
   /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it, of an image of these instances.
   std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;
@@ -71,7 +69,7 @@ public:
   bool HasOpaque() const;
 
   /// `progress` gets the fraction of the work done, in [0, 1], after each stage.
-  void Commit(const std::function<void(double share)>& progress = {});
+  void Commit(const std::function<void(double fraction)>& progress = {});
 
   const Statistics& GetStatistics() const;
 

@@ -21,7 +21,8 @@ vk::AabbPositionsKHR ToVulkan(const Box& box)
 
 // One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
 constexpr std::size_t glyphsPerLeaf = 2;
-// From so many leaves met by a line on average, rays find so soon what stops them that dropping what lies behind pays.
+// Where a line meets more leaves than this on average, rays soon find what stops them, and culling what lies behind
+// pays.
 constexpr double leavesWorthDropping = 20.0;
 // Bytes of a glyph in lavapipe's structure; those of GPUs are smaller.
 constexpr std::size_t bytesPerBox = 88;
@@ -41,7 +42,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
   // The old arrays are not shown any more, and a large set may not fit twice. Only a mesh may be used again.
   PlacedMesh mesh = this->Withdraw(set).mesh;
   Stopwatch watch;
-  // Those of Measure(), unless old instances are placed anew.
+  // Measure() has listed the boxes, unless old instances are placed anew.
   std::vector<Box> list = std::move(set.boxes);
   set.boxes = {};
   if (list.empty())
@@ -51,9 +52,9 @@ void Scene::State::Place(GlyphSet& set, float reach)
   if (set.instancesChanged || set.sorted.order.size() != set.count)
   {
     this->Sort(set, { set.instances, list });
-    this->statistics.sortSeconds += watch.Lap();
+    this->statistics->sortSeconds += watch.Lap();
   }
-  this->TellStage(set);
+  this->progress.Add(set.count);
   PlacedGlyphs placed;
   using SurfaceColors = GlyphInstances::SurfaceColors;
   placed.variants.Set(device::SIGN_COLORS, set.instances.surfaceColors == SurfaceColors::Sign);
@@ -65,7 +66,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     placed.mesh = std::move(mesh);
     isNew = this->PlaceMesh(set, placed);
   }
-  this->statistics.instanceUploads += isNew;
+  this->statistics->instanceUploads += isNew;
   mesh = PlacedMesh();
   if (placed.runs.empty())
   {
@@ -85,12 +86,12 @@ void Scene::State::Place(GlyphSet& set, float reach)
       placed.builtReach = 4.0f * reach;
       this->BuildBoxes(set, placed, { set.instances, list, SlabPadding(placed.builtReach) });
     }
-    this->statistics.buildSeconds += building.Lap();
+    this->statistics->buildSeconds += building.Lap();
     list = {};
-    this->TellStage(set);
+    this->progress.Add(set.count);
   }
   this->SendArrays(set, placed);
-  this->TellStage(set);
+  this->progress.Add(set.count);
   set.placed = std::move(placed);
   this->topLevelChanged = true;
 }
@@ -112,13 +113,13 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
     placed.colorTable = Send(this->device->GetState(), set.colors.table);
     placed.variants.Set(device::END_VALUES, !set.colors.table.empty());
   }
-  this->statistics.colorUploads += (variants & device::COLORS) && !set.colors.Empty();
-  this->statistics.uploadSeconds += watch.Lap();
+  this->statistics->colorUploads += (variants & device::COLORS) && !set.colors.Empty();
+  this->statistics->uploadSeconds += watch.Lap();
 }
 
-// Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
-// it. A GPU's driver sorts for itself. Glyphs of a time series mostly stay near those beside which they were: as long
-// as the nodes above the leaves have not grown by much, the last order does.
+// Sorts glyphs into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input
+// where it finds it. A GPU's driver sorts for itself. Glyphs of a time series mostly stay near those beside which they
+// were: as long as the nodes above the leaves have not grown by much, the last order does.
 void Scene::State::Sort(GlyphSet& set, const BoxReader& boxes)
 {
   if (this->structure == Structure::Boxes && !this->device->IsCpu())
@@ -144,7 +145,7 @@ void Scene::State::Sort(GlyphSet& set, const BoxReader& boxes)
   KdOrder kd = MakeKdOrder(sortedBoxes, leafBits);
   const double sortedSurface = surface(kd.order);
   set.sorted = { std::move(kd.order), std::move(kd.axes), leafBits, sortedSurface };
-  ++this->statistics.sorts;
+  ++this->statistics->sorts;
 }
 
 // The driver's structures of a set, one primitive a glyph: of glyphs that move, one for each slice of time.
@@ -177,7 +178,7 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
       run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
     }
   }
-  this->statistics.structureBuilds += placed.runs.size();
+  this->statistics->structureBuilds += placed.runs.size();
 }
 
 // The tree of a set: of glyphs that move, one for each slice of time.
@@ -210,7 +211,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
   placed.tree = PlacedTree(this->device->GetState(), tree);
   placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   // Copies of a mesh at rest are placed, not built, as in the driver's top level.
-  this->statistics.structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
+  this->statistics->structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
 }
 
 } // namespace rtg

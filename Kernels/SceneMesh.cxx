@@ -115,11 +115,11 @@ void Scene::State::UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh)
   {
     mesh.colors = SendMeshColors(this->device->GetState(), mesh, *wanted);
     mesh.source = wanted;
-    ++this->statistics.colorUploads;
+    ++this->statistics->colorUploads;
   }
 }
 
-// The same mesh at other places is sent once, and of one that has only other colors nothing but these.
+// A mesh that is only copied to other places is not sent again, and where only its colors are new these are sent alone.
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;
@@ -171,7 +171,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     sent.shutterClose = shutter.shutterClose;
     sent.middle = centered.middle;
     sent.radius = centered.radius;
-    ++this->statistics.structureBuilds;
+    ++this->statistics->structureBuilds;
   }
   Variants& variants = placed.variants;
   variants.Set(device::MESH_TREE, hasTree);
@@ -187,7 +187,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     // The driver's top level has the glyphs.
     placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
   }
-  this->statistics.buildSeconds += watch.Lap();
+  this->statistics->buildSeconds += watch.Lap();
   return !keeps || before == wanted;
 }
 
@@ -199,7 +199,7 @@ bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
     return true;
   }
   // Beside a set far away, of which the scene's origin is, float places glyphs only to more than 1e-6 of their sizes.
-  const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
+  const glm::dvec3 offset = glm::abs(set.instances.origin - this->records.origin);
   const double farthest = std::max({ offset.x, offset.y, offset.z });
   const double error = std::ldexp(farthest + set.bounds.Reach(), -24);
   return farthest > 0.0 && error > 1e-6 * set.smallest;

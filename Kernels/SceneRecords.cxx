@@ -48,7 +48,6 @@ void Scene::State::BuildTopLevels()
     this->CheckInstanceCount();
   }
   this->DropTopLevels();
-  this->ListSets();
   const bool any =
     std::any_of(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
   if (this->structure == Structure::Boxes && any)
@@ -61,44 +60,20 @@ void Scene::State::BuildTopLevels()
     std::vector<vk::DeviceAddress> addresses;
     for (std::uint32_t slice = 0; slice < 1u << sliceBits; ++slice)
     {
-      this->topLevels.push_back(
+      this->records.topLevels.push_back(
         AccelerationStructure::OverInstances(this->device->GetState(), this->InstancesIn(slice, sliceBits)));
-      addresses.push_back(this->topLevels.back().Address());
+      addresses.push_back(this->records.topLevels.back().Address());
     }
-    this->topLevelAddresses = Send(this->device->GetState(), addresses);
+    this->records.topLevelAddresses = Send(this->device->GetState(), addresses);
   }
-  this->statistics.topLevelBuilds += any;
-  this->statistics.buildSeconds += watch.Lap();
+  this->statistics->topLevelBuilds += any;
+  this->statistics->buildSeconds += watch.Lap();
 }
 
-// Features that all visible sets have, and those that some have.
-void Scene::State::ListSets()
-{
-  this->bounds = Box();
-  this->moves = false;
-  this->placedTimeSliceBits = 0;
-  for (auto& [id, set] : this->sets)
-  {
-    if (!set.Shown())
-    {
-      continue;
-    }
-    const PlacedGlyphs& placed = set.placed;
-    set.listedMask = set.Mask();
-    this->moves |= placed.variants.Moves();
-    this->placedTimeSliceBits =
-      std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
-    for (const GlyphSet::Image& image : set.Images())
-    {
-      this->bounds.Include(this->BoundsOf(set, image));
-    }
-  }
-}
-
-// In the scene's coordinates.
+// Bounds in the scene's coordinates.
 Box Scene::State::BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const
 {
-  const glm::vec3 offset(set.instances.origin + image.offset - this->origin);
+  const glm::vec3 offset(set.instances.origin + image.offset - this->records.origin);
   const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
   return moved.Widened(SlabPadding(moved.Reach()));
 }
@@ -126,7 +101,7 @@ std::vector<GlyphSet::Image> GlyphSet::Images() const
   return result;
 }
 
-// Of the top-level structure of a slice, out of 2^sliceBits.
+// The instances of the top-level structure of a slice, out of 2^sliceBits.
 std::vector<vk::AccelerationStructureInstanceKHR>
 Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
 {
@@ -141,7 +116,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
     const PlacedGlyphs& placed = set.placed;
     for (const GlyphSet::Image& image : set.Images())
     {
-      const glm::vec3 offset(set.instances.origin + image.offset - this->origin);
+      const glm::vec3 offset(set.instances.origin + image.offset - this->records.origin);
       for (const GlyphRun& run : placed.runs)
       {
         vk::AccelerationStructureInstanceKHR instance;
@@ -150,7 +125,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
         instance.transform.matrix = translation;
         instance.instanceCustomIndex = record++;
         instance.mask = set.Mask(image.shown);
-        // Of translucent triangles a ray is to be brought all.
+        // Queries yield every translucent triangle that a ray meets.
         instance.flags =
           static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
                                                                     : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
@@ -178,7 +153,7 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record) co
   record.sectionFaces = static_cast<std::uint32_t>(cutsWhole ? Section::Faces::Open : section.faces);
   record.sectionColors = section.capColor.has_value();
   record.sectionColor = section.capColor.value_or(glm::vec3(0.0f));
-  const std::vector<device::SectionSlab> slabs = SlabsOf(section, this->origin);
+  const std::vector<device::SectionSlab> slabs = SlabsOf(section, this->records.origin);
   record.sectionSlabs = static_cast<std::uint32_t>(slabs.size());
   device::SectionSlab* const filled[] = { &record.sectionSlab0, &record.sectionSlab1, &record.sectionSlab2 };
   for (std::size_t i = 0; i < slabs.size(); ++i)
@@ -193,10 +168,11 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record) co
   }
 }
 
-// In the order of InstancesIn().
+// Records have the order of InstancesIn().
 void Scene::State::FillRecords()
 {
   std::vector<device::GlyphSetRecord> filled;
+  std::uint32_t sliceBits = 0;
   for (auto& [id, set] : this->sets)
   {
     if (!set.Shown())
@@ -204,6 +180,8 @@ void Scene::State::FillRecords()
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
+    set.listedMask = set.Mask();
+    sliceBits = std::max({ sliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
     std::vector<device::GlyphSetRecord> runs;
     for (const GlyphRun& run : placed.runs)
     {
@@ -261,13 +239,13 @@ void Scene::State::FillRecords()
       }
       runs.push_back(record);
     }
-    // The same at each place.
+    // Each periodic image has the same records at another place.
     for (const GlyphSet::Image& image : set.Images())
     {
       const Box bounds = this->BoundsOf(set, image);
       for (device::GlyphSetRecord record : runs)
       {
-        Split(set.instances.origin + image.offset - this->origin, record.offset, record.offsetLow);
+        Split(set.instances.origin + image.offset - this->records.origin, record.offset, record.offsetLow);
         record.lower = bounds.lower;
         record.upper = bounds.upper;
         record.mask = set.Mask(image.shown);
@@ -275,8 +253,9 @@ void Scene::State::FillRecords()
       }
     }
   }
-  this->recordBuffer = Send(this->device->GetState(), filled);
-  this->records = std::move(filled);
+  this->records.buffer = Send(this->device->GetState(), filled);
+  this->records.sets = std::move(filled);
+  this->records.sliceBits = sliceBits;
 }
 
 } // namespace rtg

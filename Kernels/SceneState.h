@@ -112,8 +112,8 @@ struct GlyphSet
   Material material;
   PeriodicImages images;
   bool visible = true;
-  bool kept = false; ///< on the device while it is not visible
-  bool seen = true;  ///< by camera rays
+  bool kept = false;         ///< on the device while it is not visible
+  bool cameraVisible = true; ///< camera rays see it
   bool translucentColors = false;
   bool translucentInstances = false;
   bool instancesChanged = false; ///< since they were placed
@@ -139,8 +139,9 @@ struct GlyphSet
   }
   std::uint32_t Mask(bool shown = true) const
   {
-    return this->Translucent() ? (this->seen && shown ? device::TRANSLUCENT_MASK : device::UNSEEN_TRANSLUCENT_MASK)
-                               : (this->seen && shown ? device::OPAQUE_MASK : device::UNSEEN_OPAQUE_MASK);
+    return this->Translucent()
+      ? (this->cameraVisible && shown ? device::TRANSLUCENT_MASK : device::INDIRECT_TRANSLUCENT_MASK)
+      : (this->cameraVisible && shown ? device::OPAQUE_MASK : device::INDIRECT_OPAQUE_MASK);
   }
   /// An image of the set: how far it lies from the set, and whether it is shown. The first one is the set.
   struct Image
@@ -161,9 +162,33 @@ struct GlyphSet
   }
 };
 
+/// What tracers read of a scene.
+struct SceneRecords
+{
+  glm::dvec3 origin{ 0.0 };
+  std::vector<device::GlyphSetRecord> sets;     ///< one or more for each visible set; none: nothing can be traced
+  Buffer buffer;                                ///< the same on the device
+  std::vector<AccelerationStructure> topLevels; ///< of Structure::Boxes: one for each slice of time
+  Buffer topLevelAddresses;
+  std::uint32_t sliceBits = 0; ///< of time: the most of any visible set
+  /// Another one with every change that changes the image, and in every scene.
+  std::uint64_t version = NextVersion();
+  static std::uint64_t NextVersion();
+};
+
+/// How much of a Commit()'s work is done, in stages of glyphs: measuring, sorting, sending, and building of each.
+struct CommitProgress
+{
+  std::function<void(double)> report;
+  std::uint64_t stages = 0, done = 0;
+
+  /// A stage of so many glyphs.
+  void Add(std::size_t glyphs);
+};
+
 struct Scene::State
 {
-  explicit State(std::shared_ptr<Device> d);
+  State(std::shared_ptr<Device> d, std::shared_ptr<Statistics> s);
 
   std::shared_ptr<Device> device;
   std::map<SetId, GlyphSet> sets;
@@ -171,33 +196,18 @@ struct Scene::State
   /// Most AABBs of a bottom-level structure; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
-  /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
+  /// Most elements of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
   std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
-  Statistics statistics;
-
-  // Built by Commit().
-  glm::dvec3 origin{ 0.0 };
-  Box bounds;                                  ///< of all visible sets, relative to origin
-  std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
-  Buffer recordBuffer;
-  std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
-  Buffer topLevelAddresses;
-  bool moves = false;                    ///< some visible set does
-  std::uint32_t placedTimeSliceBits = 0; ///< the most of any visible set
+  std::shared_ptr<Statistics> statistics;
+  SceneRecords records;
   bool topLevelChanged = true;
   bool recordsChanged = true;
-  /// Another one with every change that changes the image, and in every scene.
-  std::uint64_t version = NextVersion();
-  static std::uint64_t NextVersion();
+  CommitProgress progress; ///< of the Commit() that is going on
 
-  // Of the Commit() that is going on, in stages of glyphs: measuring, sorting, sending, and building of each.
-  static constexpr std::uint64_t stagesPerGlyph = 4;
-  std::function<void(double)> progress;
-  std::uint64_t stages = 0, stagesDone = 0;
-  void CountStages();
-  void TellStage(const GlyphSet& set);
-
+  /// Whether some visible set is translucent, or opaque.
+  bool Shows(bool translucent) const;
+  std::uint64_t CountStages() const;
   void SendChanges(std::vector<GlyphSet*>& sent);
   /// Throws rtg::Error when there is none of that number.
   GlyphSet& Find(SetId id);
@@ -209,14 +219,14 @@ struct Scene::State
   void DropTopLevels();
   /// Sorts and sends one set's glyphs and builds what rays find them by.
   void Place(GlyphSet& set, float reach);
-  /// Those arrays whose bits `variants` has.
+  /// Sends the arrays whose bits `variants` has.
   void SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants = ~0u);
   /// Sends what glyphs are copies of, and builds what rays find its triangles by. False: nothing but its colors is new.
   bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
   /// Whether mesh glyphs need a tree of their own: where there are no triangles of the driver, and where these, which
   /// are placed in float, would not do.
   bool NeedsMeshTree(const GlyphSet& set) const;
-  /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
+  /// Sends the colors of a mesh that stays. To one that goes the batch would copy when its buffer is no more.
   void UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
@@ -227,23 +237,12 @@ struct Scene::State
   void CheckInstanceCount() const;
   void BuildTopLevels();
   Box BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const;
-  void ListSets();
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
   void FillSection(GlyphSet& set, device::GlyphSetRecord& record) const;
 };
 
-/// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
-template <class T>
-Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
-{
-  Buffer buffer(
-    device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
-  buffer.Upload(values.data(), values.size() * sizeof(T));
-  return buffer;
-}
-
-/// The same with the values of glyph order[i] at place i; an empty order: with the values as they are.
+/// Send() with the values of glyph order[i] at place i; an empty order: with the values as they are.
 template <class Array>
 Buffer SendInOrder(
   Device::State& device, const Array& values, const std::vector<std::uint32_t>& order, vk::BufferUsageFlags more = {})

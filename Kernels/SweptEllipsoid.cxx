@@ -36,9 +36,11 @@ void StoreNext(
   const glm::dmat3 toBall = glm::dmat3(inverse.x, 0, 0, 0, inverse.y, 0, 0, 0, inverse.z) * toDiagonal;
   const Eigensystem grown =
     Decompose(SymmetricTensor::Of(toBall * Thickened(far.matrix) * glm::transpose(toBall) - glm::dmat3(1.0)));
-  const glm::vec4 turn = Quaternion(glm::quat_cast(grown.vectors));
-  const glm::vec3 way(glm::transpose(grown.vectors) * toBall * (far.middle - end.middle)), growth(grown.values);
-  const float all[] = { turn.x, turn.y, turn.z, turn.w, way.x, way.y, way.z, growth.x, growth.y, growth.z };
+  const glm::vec4 rotation = Quaternion(glm::quat_cast(grown.vectors));
+  const glm::vec3 displacement(glm::transpose(grown.vectors) * toBall * (far.middle - end.middle)),
+    growth(grown.values);
+  const float all[] = { rotation.x, rotation.y, rotation.z, rotation.w, displacement.x, displacement.y, displacement.z,
+    growth.x, growth.y, growth.z };
   std::copy(std::begin(all), std::end(all), values);
 }
 
@@ -47,13 +49,13 @@ void StoreNext(
 void StoreSweep(const SweepEnd& first, const SweepEnd& last, std::size_t index, GlyphInstances& instances,
   const std::optional<SweepEnd>& before, const std::optional<SweepEnd>& after)
 {
-  const glm::dvec3 way = last.middle - first.middle;
-  const double length = glm::length(way);
+  const glm::dvec3 displacement = last.middle - first.middle;
+  const double length = glm::length(displacement);
   const glm::dmat3 firstMatrix = Thickened(first.matrix), lastMatrix = Thickened(last.matrix);
   const glm::dmat3 middle = 0.5 * (firstMatrix + lastMatrix), growth = 0.5 * (lastMatrix - firstMatrix);
 
-  // The outline half-way as seen along the way: its axes are y and z.
-  const glm::dvec3 x = way / length;
+  // The outline half-way as seen along the displacement: its axes are y and z.
+  const glm::dvec3 x = displacement / length;
   const glm::dvec3 aside = std::abs(x.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   glm::dmat3 axes(x, glm::normalize(aside - glm::dot(aside, x) * x), glm::dvec3(0.0));
   axes[2] = glm::cross(x, axes[1]);

@@ -23,12 +23,12 @@ Tiling::Tiling(const TraceSettings& settings)
   , stride_(StrideOf(this->count_))
 {
   // Tiles that follow each other are scattered already.
-  const auto boundary = [&](std::uint32_t share)
-  { return static_cast<std::uint32_t>(std::uint64_t(this->count_) * share / settings.shares); };
-  this->begin_ = boundary(settings.share);
-  this->end_ = boundary(settings.share + 1);
+  const auto boundary = [&](std::uint32_t part)
+  { return static_cast<std::uint32_t>(std::uint64_t(this->count_) * part / settings.parts); };
+  this->begin_ = boundary(settings.part);
+  this->end_ = boundary(settings.part + 1);
   this->rays_ =
-    settings.shares > 1 ? std::size_t(this->Size()) * raysPerTile : std::size_t(settings.width) * settings.height;
+    settings.parts > 1 ? std::size_t(this->Size()) * raysPerTile : std::size_t(settings.width) * settings.height;
 }
 
 void Tiling::Fill(device::FrameRecord& frame) const

@@ -36,29 +36,21 @@ struct Tracer::State
     Tiling tiling;
     device::FrameRecord frame{};           ///< of the samples in work; firstTile: the first one that lacks them
     std::uint32_t atFirst = 1, atMost = 1; ///< samples of one dispatch over all tiles: of the first, of any
-    std::uint32_t atOnce = 1;              ///< likewise, of the next
+    std::uint32_t atOnce = 1;              ///< likewise, of the next where launches are cut
     double longest = 0.0;                  ///< seconds of a launch of the one in work
-    std::uint32_t done = 0;                ///< samples that all tiles have
 
-    /// Samples that the buffers' sums hold for others to be added to.
-    std::uint32_t KeptSamples() const
+    /// The fraction of the requested samples that is traced; tiles before firstTile have those in work.
+    double TracedFraction() const
     {
-      return this->settings.keepSums && this->image.complete ? this->image.samples : 0;
-    }
-    /// Of the tiles, those that have the samples in work.
-    double TracedShare() const
-    {
-      return double(this->frame.firstTile - this->tiling.Begin()) / std::max(1u, this->tiling.Size());
+      const double tiles = double(this->frame.firstTile - this->tiling.Begin()) / std::max(1u, this->tiling.Size());
+      return (this->image.samples + this->frame.samples * tiles) / this->settings.samples;
     }
   };
 
-  void CheckContinues(const TraceSettings& settings, const Scene::State& scene) const;
   Device::State& Vulkan() const { return this->shared->device->GetState(); }
-  static Specialization SpecializationOf(
-    const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass);
-  device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
+  device::FrameRecord MakeFrame(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
-  void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
+  void Begin(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
   void Run(const Interrupt& interrupt);
 
@@ -76,7 +68,7 @@ struct Tracer::State
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
-  : Tracer(std::make_shared<TracerResources>(std::move(device)))
+  : Tracer(MakeTracerResources(std::move(device)))
 {
 }
 
@@ -92,29 +84,8 @@ const Statistics& Tracer::GetStatistics() const
   return this->state_->shared->GetStatistics();
 }
 
-// Throws unless new samples can be added to what is kept.
-void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::State& scene) const
-{
-  if (settings.firstSample == 0)
-  {
-    return;
-  }
-  const TraceSettings& l = this->job.settings;
-  const bool same = l.width == settings.width && l.height == settings.height && l.shading == settings.shading &&
-    l.features == settings.features && l.occlusionRays == settings.occlusionRays && l.paths == settings.paths &&
-    l.share == settings.share && l.shares == settings.shares && l.environmentImage == settings.environmentImage &&
-    this->job.sceneVersion == scene.version;
-  const std::uint32_t kept = same ? this->job.KeptSamples() : 0;
-  if (kept != settings.firstSample)
-  {
-    throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
-      " on are to be added to an image that holds " + std::to_string(kept) +
-      "; trace it from its first sample with keepSums.");
-  }
-}
-
-// But for samples and times.
-device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Camera& camera,
+// The frame's record but for samples and times.
+device::FrameRecord Tracer::State::MakeFrame(const SceneRecords& scene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass)
 {
   device::FrameRecord frame{};
@@ -141,28 +112,9 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   return frame;
 }
 
-Specialization Tracer::State::SpecializationOf(
-  const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass)
-{
-  Specialization specialization = SpecializationFor(settings);
-  Constants& constants = specialization.constants;
-  FillConstants(constants, scene);
-  constants.manyLights = lights > device::FEW_LIGHTS;
-  if (scene.moves)
-  {
-    constants.independentSamples = settings.independentSamples;
-  }
-  const ShadingTraits traits = TraitsOf(settings);
-  // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-  constants.layered = pass == Pass::Translucent && traits.layers;
-  constants.translucency = traits.scatters && translucentScene;
-  constants.leavesSurface = traits.scatters || constants.layered;
-  return specialization;
-}
-
 // Prepares the launches of an image; nothing is launched yet.
-void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
-  const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
+void Tracer::State::Begin(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
+  const TraceSettings& settings, Pass pass, bool interruptible)
 {
   Job& begun = this->job;
   begun = Job();
@@ -170,35 +122,38 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.image.width = settings.width;
   begun.image.height = settings.height;
   begun.image.complete = false;
-  begun.atMost = SamplesAtOnce(settings, std::size_t(settings.width) * settings.height);
-  begun.atFirst = this->launcher.Cuts(interruptible) ? std::min(SamplesAtFirst(settings), begun.atMost) : begun.atMost;
-  begun.atOnce = begun.atFirst;
-  const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
+  const std::size_t pixels = std::size_t(settings.width) * settings.height;
+  if (pixels == 0)
+  {
+    return;
+  }
+  begun.atMost = SamplesAtOnce(settings, pixels);
+  begun.atOnce = begun.atFirst = std::min(SamplesAtFirst(settings), begun.atMost);
+  const std::uint32_t atOnce = this->launcher.Cuts(interruptible) ? begun.atFirst : begun.atMost;
+  const bool keeps = settings.keepSums || atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
-  const bool empty = scene.records.empty();
-  if (empty || ((interruptible || settings.shares > 1) && settings.firstSample == 0))
+  const bool empty = scene.sets.empty();
+  if (empty || interruptible || settings.parts > 1)
   {
     this->buffers.Clear();
   }
   if (empty)
   {
     this->buffers.ClearSums();
-    begun.done = settings.samples;
     return;
   }
   begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
-  begun.specialization = SpecializationOf(scene, translucentScene, lights.size(), settings, pass);
+  begun.specialization = SpecializationFor(scene, lights.size(), settings, pass);
   FillScene(begun.frame, scene);
   begun.frame.accumulates = keeps;
-  if (scene.moves)
+  if (begun.specialization.constants.moves)
   {
-    begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
+    begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.sliceBits);
     FillTimeStrata(begun.frame, settings);
   }
 
   begun.tiling = Tiling(settings);
   begun.tiling.Fill(begun.frame);
-  begun.done = begun.tiling.Size() > 0 ? 0 : settings.samples;
 }
 
 // Goes on with the job until it is done or the interrupt callback stops it, called after each launch.
@@ -209,54 +164,59 @@ void Tracer::State::Run(const Interrupt& interrupt)
   const TraceSettings& settings = work.settings;
   const bool interruptible = static_cast<bool>(interrupt);
   bool stopped = false;
-  if (work.done < settings.samples)
+  if (work.tiling.Size() == 0)
+  {
+    work.image.samples = settings.samples;
+  }
+  if (work.image.samples < settings.samples)
   {
     const std::shared_ptr<Program> program = this->shared->ProgramFor(work.specialization);
     // Compiling may take many seconds.
     while (!stopped && program->compiled.wait_for(compilingPatience) != std::future_status::ready)
     {
-      stopped = interruptible && interrupt(double(work.done) / settings.samples);
+      stopped = interruptible && interrupt(work.TracedFraction());
     }
     if (!stopped)
     {
       program->compiled.get();
     }
-    while (work.done < settings.samples && !stopped)
+    while (work.image.samples < settings.samples && !stopped)
     {
       device::FrameRecord& frame = work.frame;
       if (frame.firstTile == work.tiling.Begin())
       {
-        frame.firstSample = settings.firstSample + work.done;
-        frame.samples = std::min(work.atOnce, settings.samples - work.done);
+        frame.firstSample = work.image.samples;
+        frame.samples = std::min(
+          this->launcher.Cuts(interruptible) ? work.atOnce : work.atMost, settings.samples - frame.firstSample);
         work.longest = 0.0;
       }
       work.longest = std::max(work.longest,
         this->launcher.LaunchTiles(
           *program->pipeline, this->shared->costs[program.get()], frame, work.tiling.End(), interruptible));
-      this->shared->statistics.traceSeconds += watch.Lap();
+      this->shared->statistics->traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
         frame.firstTile = work.tiling.Begin();
-        work.done += frame.samples;
+        work.image.samples += frame.samples;
         work.atOnce = static_cast<std::uint32_t>(
           std::clamp<double>(Launcher::NextSamples(frame.samples, work.longest), work.atFirst, work.atMost));
-        ++this->shared->statistics.dispatches;
-        this->shared->statistics.primaryRays += work.tiling.Rays() * frame.samples;
+        ++this->shared->statistics->dispatches;
+        this->shared->statistics->primaryRays += work.tiling.Rays() * frame.samples;
       }
-      const double part = double(frame.samples) * work.TracedShare();
-      stopped = work.done < settings.samples && interruptible && interrupt((work.done + part) / settings.samples);
+      stopped = work.image.samples < settings.samples && interruptible && interrupt(work.TracedFraction());
     }
   }
-  work.image.complete = work.done == settings.samples;
-  work.image.samples = settings.firstSample + work.done;
-  const float part = work.image.complete ? 0.0f : float(work.frame.samples * work.TracedShare());
-  work.image.share = (work.done + part) / settings.samples;
-  this->buffers.Show(work.image);
+  work.image.complete = work.image.samples == settings.samples;
+  work.image.fraction = work.TracedFraction();
+  if (work.image.width > 0 && work.image.height > 0)
+  {
+    this->buffers.Show(work.image);
+  }
   if (settings.features && work.image.complete)
   {
     this->buffers.FillFeatures(work.image);
   }
-  this->shared->statistics.traceSeconds += watch.Lap();
+  this->shared->statistics->traceSeconds += watch.Lap();
 }
 
 Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
@@ -264,23 +224,12 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
 {
   CheckSettings(settings);
   State& state = *this->state_;
-  const Scene::State& glyphs = scene.GetState();
-  if (settings.width == 0 || settings.height == 0)
-  {
-    Image image;
-    image.width = settings.width;
-    image.height = settings.height;
-    image.samples = settings.firstSample + settings.samples;
-    state.job = State::Job();
-    return image;
-  }
-  state.CheckContinues(settings, glyphs);
+  const SceneRecords& glyphs = scene.GetState().records;
   state.Vulkan().Guard("tracing an image",
     [&]
     {
-      const bool translucent = scene.HasTranslucent();
-      state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
-      // Only what was begun as a whole can be gone on with.
+      state.Begin(glyphs, camera, lights, settings, pass, static_cast<bool>(interrupt));
+      // Resume() needs an image whose Begin() has succeeded.
       state.job.sceneVersion = glyphs.version;
       state.Run(interrupt);
     });
@@ -289,31 +238,35 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
 
 void Tracer::CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading)
 {
-  const Scene::State& glyphs = scene.GetState();
+  const SceneRecords& glyphs = scene.GetState().records;
   std::vector<Specialization> wanted;
   for (const Pass pass : { Pass::Opaque, Pass::Translucent })
   {
-    if (glyphs.records.empty() || !(pass == Pass::Opaque ? scene.HasOpaque() : scene.HasTranslucent()))
+    if (glyphs.sets.empty() || !(pass == Pass::Opaque ? scene.HasOpaque() : scene.HasTranslucent()))
     {
       continue;
     }
     for (const TraceSettings& settings : ofShading)
     {
-      wanted.push_back(State::SpecializationOf(glyphs, scene.HasTranslucent(), lights.size(), settings, pass));
+      wanted.push_back(SpecializationFor(glyphs, lights.size(), settings, pass));
     }
   }
   this->state_->Vulkan().programs->CompileAhead(std::move(wanted));
 }
 
-Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
+Image Tracer::Resume(Scene& scene, std::uint32_t samples, const Interrupt& interrupt)
 {
   State& state = *this->state_;
-  const Scene::State& glyphs = scene.GetState();
-  if (state.job.sceneVersion != glyphs.version)
+  TraceSettings settings = state.job.settings;
+  settings.samples = std::max(settings.samples, samples);
+  CheckSettings(settings);
+  const bool adds = settings.samples > state.job.settings.samples;
+  if (state.job.sceneVersion != scene.GetState().records.version || (adds && !settings.keepSums))
   {
     throw Error("Ray Traced Glyphs: there is no image of this scene, as it is now, to go on with; trace one from its "
-                "first sample.");
+                "first sample, with keepSums.");
   }
+  state.job.settings = settings;
   state.Vulkan().Guard("tracing an image",
     [&]
     {
@@ -327,12 +280,12 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
 std::vector<glm::vec4> Tracer::Means(std::vector<float>* missingLight) const
 {
   const State& state = *this->state_;
-  const std::uint32_t samples = state.job.KeptSamples();
-  if (samples == 0)
+  const Image& image = state.job.image;
+  if (!state.job.settings.keepSums || !image.complete || !image.color)
   {
     throw Error("Ray Traced Glyphs: Means() needs an image that was traced with keepSums.");
   }
-  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(samples, missingLight); });
+  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(image.samples, missingLight); });
 }
 
 DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct Image
   std::uint32_t samples = 0; ///< samples a pixel in it so far, in all pixels
   /// False: tracing was interrupted, and some pixels have further samples, or none yet where samples is 0.
   bool complete = true;
-  float share = 1.0f; ///< fraction of the last call's samples, in [0, 1]
+  double fraction = 1.0; ///< of the samples requested so far that are traced, in [0, 1]
   static constexpr std::uint32_t noGlyph = 0xffffffffu;
 };
 
@@ -65,11 +66,8 @@ enum class ToneMapping : std::uint32_t
 struct TraceSettings
 {
   std::uint32_t width = 0, height = 0; ///< pixels
-  std::uint32_t samples = 1;           ///< samples a pixel that this call adds, >= 1; sample 0 is the pixel's center
-  /// Samples a pixel that this tracer's image already has and keeps: 0 starts anew. Otherwise the last
-  /// Trace() must have been with keepSums, ended with this many, and all else be as it was then.
-  std::uint32_t firstSample = 0;
-  bool keepSums = false; ///< more samples will be added: keep what they are added to
+  std::uint32_t samples = 1;           ///< samples a pixel, >= 1; sample 0 is the pixel's center
+  bool keepSums = false;               ///< Resume() will add samples: keep what they are added to
 
   Shading shading = Shading::Local;
   /// Radiance of the environment light (the sky) of ambient occlusion and path tracing, >= 0.
@@ -106,16 +104,16 @@ struct TraceSettings
   /// The samples of a pixel are independent instead of stratified (Shading/Sobol.glsl): they err more,
   /// but their confidence intervals are known. For tests and references.
   bool independentSamples = false;
-  /// Of the finished image, for the times of scenes that move; 0: firstSample + samples. Such images are the same
+  /// Samples a pixel of the finished image, for the times of scenes that move; 0: `samples`. Such images are the same
   /// for any division of the samples into calls only when it is given.
   std::uint32_t plannedSamples = 0;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on
 
-  /// Of so many equal parts of the image, scattered over it in tiles, this one is traced, < shares; the rest stays
-  /// empty. For processes that trace an image together.
-  std::uint32_t share = 0, shares = 1;
+  /// The image has so many equal parts, scattered over it in tiles. This one, < parts, is traced; the rest stays empty.
+  /// For processes that trace an image together.
+  std::uint32_t part = 0, parts = 1;
 
   bool operator==(const TraceSettings&) const = default;
 };
@@ -124,6 +122,7 @@ struct TraceSettings
 struct ShadingTraits
 {
   bool scatters, linear, layers, environmentImage;
+  std::optional<Shading> withShadows;
   std::uint32_t TraceSettings::*rays; ///< null: one
   int atOnce;
 };
@@ -131,11 +130,12 @@ ShadingTraits TraitsOf(const TraceSettings& settings);
 
 /// Called some twenty times a second while an image is traced, with the fraction of the work done, in [0, 1]; true:
 /// stop.
-using Interrupt = std::function<bool(double share)>;
+using Interrupt = std::function<bool(double fraction)>;
 
 /// Common to the tracers of one view: compiled programs, an environment image on the device, and statistics.
 class TracerResources;
-std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device);
+std::shared_ptr<TracerResources> MakeTracerResources(
+  std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics = std::make_shared<Statistics>());
 const Statistics& StatisticsOf(TracerResources& resources);
 
 /// The denoising of an image (Denoiser.h), which may run in another thread while its tracer goes on.
@@ -177,15 +177,16 @@ public:
   /// nothing else to do. `ofShading`: the settings of each kind of shading.
   void CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading);
 
-  /// Goes on with the last image, which was interrupted, of the same scene.
-  Image Resume(Scene& scene, const Interrupt& interrupt = {});
+  /// Goes on with the last image, of the same scene, until it has that many samples a pixel: with one that was
+  /// interrupted, or that was traced with keepSums.
+  Image Resume(Scene& scene, std::uint32_t samples, const Interrupt& interrupt = {});
 
   /// Mean linear radiance (of local shading: display color) times opacity, and opacity, of each pixel of the last
   /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
   std::vector<glm::vec4> Means(std::vector<float>* missingLight = nullptr) const;
 
-  /// The denoising of the last Trace()'s image, which must be complete and traced with keepSums and features. It has
-  /// copies of what it needs: more samples can be added meanwhile. It throws rtg::Error soon after a stop is requested.
+  /// The denoising of the last image, which must be complete and traced with keepSums and features. It has copies of
+  /// what it needs: more samples can be added meanwhile. It throws rtg::Error soon after a stop is requested.
   DenoiseTask Denoise(const Image& image, std::stop_token stop = {}) const;
 
   const Statistics& GetStatistics() const;

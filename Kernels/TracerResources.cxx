@@ -1,13 +1,12 @@
 #include "TracerResources.h"
 
-#include "SceneState.h"
-
 namespace rtg
 {
 
-std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device)
+std::shared_ptr<TracerResources>
+MakeTracerResources(std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics)
 {
-  return std::make_shared<TracerResources>(std::move(device));
+  return std::make_shared<TracerResources>(std::move(device), std::move(statistics));
 }
 
 const Statistics& StatisticsOf(TracerResources& resources)
@@ -15,15 +14,16 @@ const Statistics& StatisticsOf(TracerResources& resources)
   return resources.GetStatistics();
 }
 
-TracerResources::TracerResources(std::shared_ptr<Device> d)
+TracerResources::TracerResources(std::shared_ptr<Device> d, std::shared_ptr<Statistics> s)
   : device(std::move(d))
+  , statistics(std::move(s))
 {
 }
 
 std::shared_ptr<Program> TracerResources::ProgramFor(const Specialization& specialization)
 {
   const auto [program, begins] = this->device->GetState().programs->Get(specialization);
-  this->statistics.pipelineBuilds += begins;
+  this->statistics->pipelineBuilds += begins;
   return program;
 }
 
@@ -68,10 +68,10 @@ void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::
 
 const Statistics& TracerResources::GetStatistics()
 {
-  this->statistics.deviceBytes = this->device->HeldBytes();
-  this->statistics.programsAhead = this->device->GetState().programs->Ahead();
-  this->statistics.denoiseSeconds = this->denoiseSeconds;
-  return this->statistics;
+  this->statistics->deviceBytes = this->device->HeldBytes();
+  this->statistics->programsAhead = this->device->GetState().programs->Ahead();
+  this->statistics->denoiseSeconds += this->denoiseSeconds.exchange(0.0);
+  return *this->statistics;
 }
 
 } // namespace rtg

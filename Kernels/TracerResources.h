@@ -19,7 +19,7 @@ namespace rtg
 class TracerResources
 {
 public:
-  explicit TracerResources(std::shared_ptr<Device> device);
+  TracerResources(std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics);
 
   /// What a program's launches have cost in this view.
   struct Cost
@@ -38,8 +38,8 @@ public:
   const Statistics& GetStatistics();
 
   std::shared_ptr<Device> device;
-  Statistics statistics;
-  std::atomic<double> denoiseSeconds{ 0.0 }; ///< counted by the threads that denoise
+  std::shared_ptr<Statistics> statistics;
+  std::atomic<double> denoiseSeconds{ 0.0 }; ///< counted by the threads that denoise, since the last GetStatistics()
 
 private:
   std::shared_ptr<const EnvironmentImage> environment_; ///< that the next four are made from

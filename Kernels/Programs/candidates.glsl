@@ -115,8 +115,8 @@ void AddLayer(const GlyphCrossing added, const float error, const float transmit
   }
 }
 
-// Up to where further layers are wanted, of those up to tMax. The driver's BVH yields the opaque ones among the
-// rest, so that the last of the layers may lie behind that.
+// The t, at most tMax, up to which further layers are wanted. The driver's BVH yields opaque surfaces among the layers,
+// so that the last layer may lie behind one.
 float LayersEnd(const float tMax)
 {
   return layerCount == layerLimit || layersStopLight ? min(tMax, LayerAt(layerCount - 1u).t) : tMax;
@@ -149,8 +149,8 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
 // Intersects a candidate exactly. A crossing nearer than `hit` becomes the hit; with `any` whichever is found first.
 // With `gathers` all crossings nearer than it are added to the layers instead, as many as are wanted, and hit.t is up
 // to where others still are. False: the hit stays.
-bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+bool IntersectCandidate(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
+  const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   if (layered && gathers)
   {
@@ -168,9 +168,9 @@ bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
   return met;
 }
 
-// The same of a glyph that is cut by itself: of the driver's BVH each, of the plugin's those that take their cut along.
-bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+// Intersects a candidate of a set with a cut: one of the driver's BVH, or one that takes its cut along.
+bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
+  const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   bool single = rayQueries || Has(set.variants, SECTION_MOVES);
   bool cuts = single && CutsGlyphs(set);
@@ -193,7 +193,7 @@ bool MeetParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, 
     float end = found.t;
     float low, high;
     bool near = start <= end && (!rayQueries || Estimate(set, ray, number, glyph, start, end, low, high) != RTG_MISSED);
-    if (near && MeetGlyph(record, set, ray, number, glyph, seed, start, any, gathers, found))
+    if (near && IntersectCandidate(record, set, ray, number, glyph, seed, start, any, gathers, found))
     {
       met = true;
       if (!(layered && gathers) || found.t < end)

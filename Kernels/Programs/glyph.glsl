@@ -24,7 +24,7 @@ GlyphSource SourceOf(const GlyphSetRecord set)
   source.time = Has(set.variants, MOVING_GLYPHS) ? TimeOf(set) : 0.0;
   source.alike.size = vec3(set.uniformSize);
   source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
-  source.alike.turned = Has(set.variants, ROTATIONS | ANGULAR_VELOCITIES);
+  source.alike.rotated = Has(set.variants, ROTATIONS | ANGULAR_VELOCITIES);
   source.alike.sameSize = !Has(set.variants, SIZES_EACH);
   source.alike.joined = IsOfShape(set.shape, RTG_SWEPT) && Has(set.variants, POLYNOMIALS);
   source.alike.arrow = vec4(set.shaftRadius, set.tipRadius, set.tipLength, set.tipRounding);
@@ -104,7 +104,7 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, co
   int verdict = EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
   // A glyph that takes its cut along may be cut off where it would be met, and a piece of a line closed where it would
   // not.
-  bool open = verdict == RTG_MET || IsOfShape(set.shape, RTG_OWN_ESTIMATE) || IsOfShape(set.shape, RTG_SWEPT);
+  bool open = verdict == RTG_HIT || IsOfShape(set.shape, RTG_OWN_ESTIMATE) || IsOfShape(set.shape, RTG_SWEPT);
   return open && Has(set.variants, SECTION_MOVES) ? RTG_UNKNOWN : verdict;
 }
 

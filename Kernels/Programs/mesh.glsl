@@ -25,7 +25,7 @@ struct MeshRay
 MeshRay ToMesh(const GlyphRay ray, const Glyph glyph, const GlyphSetRecord set)
 {
   Glyph centered = AboutMiddle(glyph, set);
-  LocalRay local = TurnToLocal(NearRay(ray, centered), centered);
+  LocalRay local = RotateToLocal(NearRay(ray, centered), centered);
   vec3 origin = local.origin.hi / glyph.size;
   MeshRay found;
   found.direction = local.direction.hi / glyph.size;
@@ -96,7 +96,7 @@ vec3 Sheared(const vec3 position, const ShearedRay ray)
 }
 
 // Whether the line meets the triangle, where, and the weights of the corners there.
-bool MeetsTriangle(const ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3 weight)
+bool IntersectTriangle(const ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3 weight)
 {
   a = Sheared(a, ray);
   b = Sheared(b, ray);
@@ -147,7 +147,7 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
       uvec3 corner = CornersOf(set, i);
       float s;
       vec3 weight;
-      if (MeetsTriangle(sheared, CornerAt(set, corner.x, time), CornerAt(set, corner.y, time),
+      if (IntersectTriangle(sheared, CornerAt(set, corner.x, time), CornerAt(set, corner.y, time),
             CornerAt(set, corner.z, time), s, weight) &&
         s >= least && s <= nearest)
       {
@@ -201,7 +201,7 @@ TriangleCrossing CrossTriangle(const GlyphSetRecord set, const GlyphRay ray, con
   crossing.c = CornerAt(set, crossing.corner.z, time);
   MeshRay meshRay = ToMesh(ray, glyph, set);
   float s;
-  bool meets = MeetsTriangle(Shear(meshRay), crossing.a, crossing.b, crossing.c, s, crossing.weight);
+  bool meets = IntersectTriangle(Shear(meshRay), crossing.a, crossing.b, crossing.c, s, crossing.weight);
   if (rayQueries && !meets)
   {
     // The driver's arithmetic lets a ray meet what it passes by a rounding error: there the nearest edge is met.

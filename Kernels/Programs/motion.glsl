@@ -31,12 +31,12 @@ vec2 SineCosine(const float angle)
 }
 
 // Unit quaternion (x, y, z, w) of a rotation by the vector's length round its direction.
-vec4 TurnBy(const vec3 rotation)
+vec4 RotationBy(const vec3 rotation)
 {
   vec3 halfway = 0.5 * rotation;
   float angle = length(halfway);
-  vec2 turn = SineCosine(angle);
-  return angle > 0.0 ? vec4(halfway * (turn.x / angle), turn.y) : vec4(0.0, 0.0, 0.0, 1.0);
+  vec2 sineCosine = SineCosine(angle);
+  return angle > 0.0 ? vec4(halfway * (sineCosine.x / angle), sineCosine.y) : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
 // How far a glyph has moved since time zero.
@@ -55,9 +55,9 @@ vec3 Displacement(const GlyphSetRecord set, const uint primitive, const float ti
 }
 
 // Its rotation since then: a unit quaternion.
-vec4 TurnSince(const GlyphSetRecord set, const uint primitive, const float time)
+vec4 RotationSince(const GlyphSetRecord set, const uint primitive, const float time)
 {
-  return TurnBy(time * set.angularVelocities.at[InSet(set, ANGULAR_VELOCITIES, primitive)]);
+  return RotationBy(time * set.angularVelocities.at[InSet(set, ANGULAR_VELOCITIES, primitive)]);
 }
 
 // Moves a glyph to where it is at that time.
@@ -73,7 +73,7 @@ void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, con
   if (Has(set.variants, ANGULAR_VELOCITIES))
   {
     // First the glyph's own rotation b, then a.
-    vec4 a = TurnSince(set, primitive, time);
+    vec4 a = RotationSince(set, primitive, time);
     vec4 b = glyph.rotation;
     vec4 product = vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
     glyph.rotation = product / sqrt(dot(product, product));

@@ -25,7 +25,7 @@ vec3 Linear(const vec3 shown)
 }
 
 // A surface whose lights are sampled one after the other.
-struct Asking
+struct DirectLighting
 {
   uint light; // the next; frame.lightCount: none is left
   LocalLight sum;
@@ -39,31 +39,31 @@ struct Asking
 };
 
 // Adds lights that cast no shadows here, up to the first that may.
-void NextLight(inout Asking asking, const vec2 u)
+void NextLight(inout DirectLighting direct, const vec2 u)
 {
   bool found = false;
-  while (asking.light < frame.lightCount && !found)
+  while (direct.light < frame.lightCount && !found)
   {
-    LightRecord light = LightAt(asking.light);
-    Incidence at = ArriveAt(light, asking.position);
-    found = light.casts != 0u && at.attenuation * dot(asking.normal, -at.direction) > 0.0;
+    LightRecord light = LightAt(direct.light);
+    Incidence at = ArriveAt(light, direct.position);
+    found = light.casts != 0u && at.attenuation * dot(direct.normal, -at.direction) > 0.0;
     if (found)
     {
-      asking.toLight = SampleLight(light, at, u, asking.distance);
+      direct.toLight = SampleLight(light, at, u, direct.distance);
     }
     else
     {
-      AddLight(asking.sum, light, at, asking.normal, asking.toViewer, asking.power);
-      ++asking.light;
+      AddLight(direct.sum, light, at, direct.normal, direct.toViewer, direct.power);
+      ++direct.light;
     }
   }
 }
 
 // Adds the light of the last shadow ray.
-void AddAskedLight(inout Asking asking)
+void AddSampledLight(inout DirectLighting direct)
 {
-  LightRecord light = LightAt(asking.light);
-  AddLight(asking.sum, light, ArriveAt(light, asking.position), asking.normal, asking.toViewer, asking.power);
+  LightRecord light = LightAt(direct.light);
+  AddLight(direct.sum, light, ArriveAt(light, direct.position), direct.normal, direct.toViewer, direct.power);
 }
 
 // How many rays a layer is worth, a power of two where it is not worth all of them: as many as it has of the pixel, so
@@ -94,8 +94,8 @@ void main()
   vec3 arrived; // of the sky's light
   float weight;
   // Of its lights: what they bring is shown times `lightScale`.
-  Asking asking;
-  asking.light = frame.lightCount;
+  DirectLighting direct;
+  direct.light = frame.lightCount;
   bool adds = false;
   vec3 ambient;
   float lightScale;
@@ -108,14 +108,14 @@ void main()
   for (uint s = frame.firstSample; s < frame.firstSample + frame.samples;)
   {
     Query query;
-    bool asksLight = shadows && asking.light < frame.lightCount;
-    bool asksSky = !asksLight && left > 0u;
-    if (asksLight)
+    bool tracesShadow = shadows && direct.light < frame.lightCount;
+    bool tracesOcclusion = !tracesShadow && left > 0u;
+    if (tracesShadow)
     {
-      query = ShadowQuery(start, OutOfSurface(hit, asking.toLight), asking.distance,
-        SeedOf(number, eventLight + maximumLayers * asking.light + layers.count));
+      query = ShadowQuery(start, OutOfSurface(hit, direct.toLight), direct.distance,
+        SeedOf(number, eventLight + maximumLayers * direct.light + layers.count));
     }
-    else if (asksSky)
+    else if (tracesOcclusion)
     {
       uint layer = layers.count - (onGround ? 0u : 1u);
       // Those of one sample follow each other in the sequence: a power of two of them is spread evenly.
@@ -139,17 +139,17 @@ void main()
       query = LayerQuery(layers);
     }
 
-    SurfaceHit found = Trace(query, layered && !asksLight && !asksSky);
+    SurfaceHit found = Trace(query, layered && !tracesShadow && !tracesOcclusion);
 
-    if (asksLight)
+    if (tracesShadow)
     {
       if (found.t < 0.0)
       {
-        AddAskedLight(asking);
+        AddSampledLight(direct);
       }
-      ++asking.light;
+      ++direct.light;
     }
-    else if (asksSky)
+    else if (tracesOcclusion)
     {
       vec3 light = SkyRadiance(query.ray.direction);
       arrived += found.t < 0.0 ? light : vec3(0.0);
@@ -182,12 +182,12 @@ void main()
         vec3 place = layers.ray.origin.hi + hit.t * direction;
         if (shadows)
         {
-          asking.light = 0u;
-          asking.sum = LocalLight(vec3(0.0), vec3(0.0));
-          asking.position = place;
-          asking.normal = LitNormal(hit, direction);
-          asking.toViewer = normalize(frame.viewPosition - place);
-          asking.power = set.specularPower;
+          direct.light = 0u;
+          direct.sum = LocalLight(vec3(0.0), vec3(0.0));
+          direct.position = place;
+          direct.normal = LitNormal(hit, direction);
+          direct.toViewer = normalize(frame.viewPosition - place);
+          direct.power = set.specularPower;
           adds = true;
         }
         else
@@ -212,17 +212,17 @@ void main()
       begins = true;
       weight = 0.0;
       color = vec3(0.0);
-      onGround = ground && MeetGround(layers.ray, hit);
+      onGround = ground && IntersectGround(layers.ray, hit);
       if (onGround)
       {
         start = LeaveGround(layers.ray, hit);
         Tangents(hit.normal, x, y);
-        asking.light = shadows ? 0u : frame.lightCount;
-        asking.sum = LocalLight(vec3(0.0), vec3(0.0));
-        asking.position = start.hi;
-        asking.normal = hit.normal;
-        asking.toViewer = hit.normal;
-        asking.power = 0.0;
+        direct.light = shadows ? 0u : frame.lightCount;
+        direct.sum = LocalLight(vec3(0.0), vec3(0.0));
+        direct.position = start.hi;
+        direct.normal = hit.normal;
+        direct.toViewer = hit.normal;
+        direct.power = 0.0;
         adds = shadows;
         lightScale = sky ? frame.lightFraction : groundLights;
         LocalLight full = LocalLight(vec3(0.0), vec3(0.0));
@@ -242,21 +242,21 @@ void main()
 
     if (shadows)
     {
-      if (asking.light < frame.lightCount)
+      if (direct.light < frame.lightCount)
       {
-        NextLight(asking, SamplePair(number, PairOf(layers.count, pairToLight)));
+        NextLight(direct, SamplePair(number, PairOf(layers.count, pairToLight)));
       }
-      if (adds && asking.light == frame.lightCount)
+      if (adds && direct.light == frame.lightCount)
       {
         adds = false;
         if (onGround)
         {
-          missing -= lightScale * Linear(clamp(asking.sum.diffuse, 0.0, 1.0));
+          missing -= lightScale * Linear(clamp(direct.sum.diffuse, 0.0, 1.0));
         }
         else
         {
           GlyphSetRecord set = SetRecord(hit.record);
-          color += lightScale * Linear(ReflectLocal(set, hit.color.rgb, ambient, asking.sum));
+          color += lightScale * Linear(ReflectLocal(set, hit.color.rgb, ambient, direct.sum));
         }
       }
     }

@@ -295,7 +295,7 @@ void main()
         AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
-      onGround = ground && hit.t < 0.0 && MeetGround(ray, hit);
+      onGround = ground && hit.t < 0.0 && IntersectGround(ray, hit);
       if (onGround)
       {
         missing = vec3(0.0);

@@ -13,7 +13,7 @@ bool QueriesTriangles()
 }
 
 // A triangle where the ray meets it, with t by our own arithmetic.
-GlyphCrossing MeetTriangle(
+GlyphCrossing CrossingOfTriangle(
   const uint record, const GlyphRay ray, const uint instance, const uint triangle, const float tMin, const float tMax)
 {
   GlyphSource source = SourceOf(SetRecord(record));
@@ -28,7 +28,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
 {
   GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax, vec3(0.0));
   uint slice = moves ? uint(shutterTime * float(frame.topLevelCount)) : 0u;
-  // Of triangles the driver takes the nearest, but for translucent ones that it is to bring, too.
+  // The driver commits the nearest triangle; translucent ones are candidates.
   uint flags = (any ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT) |
     (translucency || (layered && gathers) ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
   rayQueryEXT query;
@@ -46,7 +46,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       rayQueryGetIntersectionTypeEXT(query, false) == gl_RayQueryCandidateIntersectionTriangleEXT)
     {
       GlyphCrossing met =
-        MeetTriangle(record, ray, rayQueryGetIntersectionInstanceIdEXT(query, false), primitive, tMin, tMax);
+        CrossingOfTriangle(record, ray, rayQueryGetIntersectionInstanceIdEXT(query, false), primitive, tMin, tMax);
       if (layered && adds)
       {
         if (met.t <= hit.t)
@@ -71,7 +71,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       }
       Glyph glyph = FetchGlyph(source, primitive);
       float before = hit.t;
-      if (MeetParts(record, set, ray, primitive, glyph, seed, tMin, any, adds, hit))
+      if (IntersectParts(record, set, ray, primitive, glyph, seed, tMin, any, adds, hit))
       {
         going = !any;
       }
@@ -83,7 +83,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
   }
   if (QueriesTriangles() && rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT)
   {
-    hit = MeetTriangle(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true), ray,
+    hit = CrossingOfTriangle(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true), ray,
       rayQueryGetIntersectionInstanceIdEXT(query, true), rayQueryGetIntersectionPrimitiveIndexEXT(query, true), tMin,
       tMax);
   }

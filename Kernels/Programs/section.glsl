@@ -7,8 +7,8 @@
 // Parts of a ray that are left, at most. Programs that cut nothing have no second round.
 const uint partsOfRay = 1u + (inSomeSets & SECTION) / SECTION;
 
-// Of the part that is being traced: where it begins in a plane that is to be closed, and which one, or none; and the
-// number of the first crossing on it.
+// The part of the ray that is being traced: where it begins in a plane that is to be closed, and which one, or none;
+// and the number of the first crossing on it.
 float capStart = -1.0;
 uint capPlane = nothing;
 uint firstCrossing = 0u;
@@ -22,15 +22,15 @@ bool IsCap(const GlyphSetRecord set, const uint triangle)
 }
 
 // A normal of the body, as a glyph has rotated it.
-vec3 TurnedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
+vec3 RotatedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
 {
-  vec3 turned = normal;
+  vec3 rotated = normal;
   if (Has(set.variants, SECTION_MOVES) && Has(set.variants, ANGULAR_VELOCITIES))
   {
-    vec4 turn = TurnSince(set, number, TimeOf(set));
-    turned = Rotate(turn.xyz, turn.w, normal);
+    vec4 rotation = RotationSince(set, number, TimeOf(set));
+    rotated = Rotate(rotation.xyz, rotation.w, normal);
   }
-  return turned;
+  return rotated;
 }
 
 // The center of a glyph at rest with the body: of one that takes the body along, that at time zero.
@@ -49,7 +49,7 @@ vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
 {
   uint plane = triangle - firstCap;
   vec3 ofSlab = plane < 2u ? set.sectionSlab0.normal : plane < 4u ? set.sectionSlab1.normal : set.sectionSlab2.normal;
-  vec3 normal = TurnedNormal(set, number, ofSlab);
+  vec3 normal = RotatedNormal(set, number, ofSlab);
   return (plane % 2u == 1u) == (set.sectionKeepsInside != 0u) ? normal : -normal;
 }
 
@@ -57,7 +57,7 @@ vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
 Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   const SectionSlab slab, const int firstPlane)
 {
-  vec3 normal = TurnedNormal(set, number, slab.normal);
+  vec3 normal = RotatedNormal(set, number, slab.normal);
   DoubleWord3 origin = DoubleWord3(ray.origin, ray.originLow);
   DoubleWord height;
   if (Has(set.variants, SECTION_MOVES))
@@ -106,14 +106,14 @@ Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number
   return span;
 }
 
-// From where to where part 0 or 1 of the ray between tMin and tMax goes; nowhere when it ends before it begins. `body`:
-// of a set with SECTION. Unless `cuts`, part 0 is all of it.
+// The interval of part 0 or 1 of the ray between tMin and tMax; empty when it ends before it begins. `body`: of a set
+// with SECTION. Unless `cuts`, part 0 is all of it.
 vec2 BeginPart(
   const GlyphSetRecord set, const bool cuts, const Span body, const uint part, const float tMin, const float tMax)
 {
   bool keeps = cuts && set.sectionKeepsInside != 0u;
   bool meets = cuts && !IsEmpty(body);
-  // In the body, or behind it; else up to it.
+  // A part lies in the body, or behind it; else it goes up to it.
   bool begins = meets && (keeps || part == 1u);
   bool ends = meets && (keeps || part == 0u);
   float start = keeps ? body.sIn.hi : body.sOut.hi;

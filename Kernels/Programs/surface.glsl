@@ -74,7 +74,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   }
   if (Has(set.variants, DIRECTION_COLORS) && LeavesColors(set, hit.color))
   {
-    // In the world: a glyph that is turned has other colors.
+    // In the world: a rotated glyph has other colors.
     vec3 axes = abs(RotateToWorld(found, FromCenter(ray, found, t)));
     hit.color.rgb = axes / max(length(axes), 1e-30);
   }

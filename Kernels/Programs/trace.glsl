@@ -72,8 +72,8 @@ DoubleWord3 LeaveSurface(const SceneRay ray, const SurfaceHit hit)
 }
 
 // The nearest hit with tMin <= t <= tMax, or one with t < 0; of a query of any, only the sign of t means something.
-// With `gathers` the next of the layers, which are gathered in one traversal, as many as the list holds; where there
-// are none, the nearest opaque surface.
+// With `gathers` it is the next layer; one traversal gathers as many layers as the list holds. Where there are none, it
+// is the nearest opaque surface.
 SurfaceHit Trace(const Query query, const bool gathers)
 {
   GlyphRay ray = GlyphRay(query.ray.origin.hi, query.ray.origin.lo, query.ray.direction);

@@ -11,7 +11,7 @@ vec3 NormalOf(const vec3 toB, const vec3 toC)
   return cross(toB / max(LargestOf(toB), 1e-37), toC / max(LargestOf(toC), 1e-37));
 }
 
-// Of unit length; against the ray where it is zero: rounding may let rays meet triangles without
+// The normal in unit length; against the ray where it is zero: rounding may let rays meet triangles without
 // area.
 vec3 UnitNormal(const vec3 normal, const vec3 direction)
 {

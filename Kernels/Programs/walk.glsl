@@ -29,7 +29,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
   bool going = true;
   do
   {
-    // In plain arithmetic to the next glyph that must be looked at exactly: so the lanes of a CPU device do that
+    // Plain arithmetic goes on to the next glyph that must be intersected exactly: so the lanes of a CPU device do that
     // together, and most rays only once.
     uint candidate = nothing;
     do
@@ -49,18 +49,18 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           : i;
         float low, high;
         int verdict = Estimate(set, ray, glyph, FetchGlyph(source, glyph), tMin, hit.t, low, high);
-        if (chance && Has(set.variants, END_COLORS) && verdict == RTG_MET)
+        if (chance && Has(set.variants, END_COLORS) && verdict == RTG_HIT)
         {
           verdict = RTG_UNKNOWN; // the opacity is that at the exact t
         }
         // An estimated glyph is met twice at most; a ray that passes by both misses it.
         bool passes =
-          chance && verdict == RTG_MET && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
+          chance && verdict == RTG_HIT && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
         if (passes && Passes(set, seed, glyph, CrossingNumber(set, 1u), OpacityOf(set, glyph)))
         {
           verdict = RTG_MISSED;
         }
-        if (!(layered && gathers) && !passes && verdict == RTG_MET && high < surely)
+        if (!(layered && gathers) && !passes && verdict == RTG_HIT && high < surely)
         {
           hit.record = record;
           hit.glyph = glyph;
@@ -93,7 +93,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     }
     if (candidate != nothing)
     {
-      if (MeetParts(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
+      if (IntersectParts(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
       {
         going = going && !any;
         CullBehind(position, hit.t);
@@ -105,7 +105,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
 }
 
 // Whether the ray may meet a set between tMin and tMax: not where it passes by its bounds. NaN: it may.
-bool MayMeet(const GlyphSetRecord set, const BoxRay ray, const float tMin, const float tMax)
+bool MayIntersect(const GlyphSetRecord set, const BoxRay ray, const float tMin, const float tMax)
 {
   vec3 toLower = (set.lower - ray.origin) * ray.inverse, toUpper = (set.upper - ray.origin) * ray.inverse;
   vec3 tolerance = max(abs(toLower), abs(toUpper)) * 9.5367431640625e-7 + ray.tolerance;
@@ -125,25 +125,25 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
   // A ray that is cut goes through a set once for each part of it.
   Span body = WholeRay();
   BoxRay boxRay = MakeBoxRay(ray.origin, abs(ray.origin), ray.direction);
-  for (uint turn = 0u; turn < partsOfRay * end && !(any && hit.glyph != nothing); ++turn)
+  for (uint step = 0u; step < partsOfRay * end && !(any && hit.glyph != nothing); ++step)
   {
-    uint i = turn / partsOfRay;
+    uint i = step / partsOfRay;
     uint record = i < count ? i : i - count;
     bool gathering = layered && gathers && (alone || i >= count);
     GlyphSetRecord set = SetRecord(record);
     if ((set.mask & (layered && gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u &&
-      (alone || MayMeet(set, boxRay, tMin, hit.t)))
+      (alone || MayIntersect(set, boxRay, tMin, hit.t)))
     {
       GlyphCrossing found = hit;
       vec2 range = vec2(tMin, hit.t);
       if (partsOfRay > 1u)
       {
         bool cuts = CutsGlyphs(set) && !Has(set.variants, SECTION_MOVES);
-        if (cuts && turn % partsOfRay == 0u)
+        if (cuts && step % partsOfRay == 0u)
         {
           body = SectionSpan(set, ray, 0u, SourceOf(set).alike);
         }
-        range = BeginPart(set, cuts, body, turn % partsOfRay, tMin, hit.t);
+        range = BeginPart(set, cuts, body, step % partsOfRay, tMin, hit.t);
         found = GlyphCrossing(0u, nothing, nothing, range.y, vec3(0.0));
       }
       if (range.x <= range.y)

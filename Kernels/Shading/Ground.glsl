@@ -11,7 +11,7 @@ float MissingShare(const vec3 missing, const vec3 all)
 }
 
 // Where a ray that has met nothing meets the ground, from above.
-bool MeetGround(const SceneRay ray, out SurfaceHit hit)
+bool IntersectGround(const SceneRay ray, out SurfaceHit hit)
 {
   hit = NoHit();
   hit.normal = hit.shadingNormal = frame.groundNormal;
@@ -29,7 +29,7 @@ float GroundDepth(const uvec2 position)
   vec3 direction;
   CameraRay(SampleNumber(position, 0u), vec2(0.5), origin, direction);
   SurfaceHit hit;
-  bool met = MeetGround(SceneRay(origin, direction, 0.0), hit);
+  bool met = IntersectGround(SceneRay(origin, direction, 0.0), hit);
   float depth = frame.depthA + (frame.parallel != 0u ? frame.depthB * hit.t : frame.depthB / hit.t);
   return met ? min(depth, 0.99999994) : 1.0;
 }

@@ -77,8 +77,8 @@ RTG_SHADING_FN float EscapeProbability(vec3 from, vec3 to, float width)
   {
     return 0.0f;
   }
-  float seen = SmithLambda(from, width);
-  return (1.0f + seen) / (1.0f + seen + SmithLambda(to, width));
+  float lambda = SmithLambda(from, width);
+  return (1.0f + lambda) / (1.0f + lambda + SmithLambda(to, width));
 }
 
 // Normal of a facet, as often as `from` sees it. Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical
@@ -137,10 +137,10 @@ RTG_SHADING_FN vec3 MetalAverage(vec3 base)
 }
 
 // Probability that a layer reflects the light that came from `from` to its facet m.
-RTG_SHADING_FN float LayerReflection(float share, float reflectance, float width, vec3 from, vec3 m)
+RTG_SHADING_FN float LayerReflection(float strength, float reflectance, float width, vec3 from, vec3 m)
 {
   vec3 to = reflect(-from, m);
-  return share * Fresnel(reflectance, dot(from, m)) * EscapeProbability(from, to, width);
+  return strength * Fresnel(reflectance, dot(from, m)) * EscapeProbability(from, to, width);
 }
 
 RTG_SHADING_FN vec3 CoatTint(Surface surface)

@@ -6,7 +6,7 @@
 #include "LocalRay.glsl"
 
 #define RTG_MISSED 0  // no crossing in [tMin, tMax]
-#define RTG_MET 1     // the nearest crossing in [tMin, tMax] exists and lies in [low, high]
+#define RTG_HIT 1     // the nearest crossing in [tMin, tMax] exists and lies in [low, high]
 #define RTG_UNKNOWN 2 // a crossing in [tMin, tMax], if there is one, lies at low or behind it
 
 // Inside what the glyph is known to lie: a ball of that radius and, when `boxed`, the cube [-1, 1]^3, both in the frame
@@ -120,7 +120,7 @@ RTG_FN int Estimate(const EnclosureRay ray, const Enclosure outer, const real tM
   high = nearest - toSurface + uncertain;
   if (outer.fills && clear && low >= tMin && high <= tMax)
   {
-    return RTG_MET;
+    return RTG_HIT;
   }
   low = max(low, tMin);
   high = tMax;

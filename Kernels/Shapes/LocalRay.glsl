@@ -17,8 +17,8 @@ struct Glyph
   real3 center;
   real3 centerLow;
   real3 size;     // full extents along the unit glyph's axes, > 0
-  real4 rotation; // unit quaternion (x, y, z, w), unit glyph to world; used only when turned
-  bool turned;
+  real4 rotation; // unit quaternion (x, y, z, w), unit glyph to world; only if `rotated`
+  bool rotated;
   bool sameSize; // size.x == size.y == size.z is known
   bool joined;   // `values` are those of the next pieces of a line
   real4 arrow;   // shaft radius, tip radius, tip length, tip rounding
@@ -116,7 +116,7 @@ RTG_FN real3 Rotate(const real3 u, const real w, const real3 a)
 
 RTG_FN real3 RotateToWorld(const Glyph glyph, const real3 a)
 {
-  if (!glyph.turned)
+  if (!glyph.rotated)
   {
     return a;
   }
@@ -147,7 +147,7 @@ RTG_FN real3 BoxReach(const Glyph glyph, const real3 halfSize)
 
 RTG_FN real3 RotateToLocal(const Glyph glyph, const real3 a)
 {
-  if (!glyph.turned)
+  if (!glyph.rotated)
   {
     return a;
   }
@@ -176,9 +176,9 @@ RTG_FN LocalRay NearRay(const GlyphRay ray, const Glyph glyph)
   return LocalRay(Word(t0), Add(offset, TwoProduct(real3(t0), ray.direction)), Word3(ray.direction));
 }
 
-RTG_FN LocalRay TurnToLocal(const LocalRay ray, const Glyph glyph)
+RTG_FN LocalRay RotateToLocal(const LocalRay ray, const Glyph glyph)
 {
-  if (!glyph.turned)
+  if (!glyph.rotated)
   {
     return ray;
   }
@@ -234,7 +234,7 @@ ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 h
   {
     return false;
   }
-  local = Advance(TurnToLocal(near, glyph), sMiddle);
+  local = Advance(RotateToLocal(near, glyph), sMiddle);
   return true;
 }
 

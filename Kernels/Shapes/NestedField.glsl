@@ -104,19 +104,19 @@ RTG_FN real SafeExp2(const real x)
 }
 
 // log2 of the p-norm of two numbers that are given by their logarithms, and the fraction of each in the sum of powers.
-RTG_FN real LogNorm(const real a, const real b, const real p, RTG_OUT(real2) share)
+RTG_FN real LogNorm(const real a, const real b, const real p, RTG_OUT(real2) weights)
 {
   real high = max(a, b);
   real power = SafeExp2(p * (min(a, b) - high));
   real low = power / (real(1.0) + power);
-  share = a >= b ? real2(real(1.0) - low, low) : real2(low, real(1.0) - low);
+  weights = a >= b ? real2(real(1.0) - low, low) : real2(low, real(1.0) - low);
   return high + log2(real(1.0) + power) / p;
 }
 
 RTG_FN real LogNorm(const real2 l, const real p)
 {
-  real2 share;
-  return LogNorm(l.x, l.y, p, share);
+  real2 weights;
+  return LogNorm(l.x, l.y, p, weights);
 }
 
 // log2 R of a profile at log2 |z| and its fall.
@@ -132,8 +132,8 @@ RTG_FN real PlainProfile(const real z, const real logZ, const real q, RTG_OUT(re
 // z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
 RTG_FN real ProfileTolerance(const real fall, const real z, const real q, const real rounding, const bool outside)
 {
-  real share = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
-  return share < real(0.5) ? real(2.0) * share / q : outside ? log2(real(1.0) + share) / q : real(1e9);
+  real excess = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
+  return excess < real(0.5) ? real(2.0) * excess / q : outside ? log2(real(1.0) + excess) / q : real(1e9);
 }
 
 // Directions in absolute coordinates.
@@ -190,10 +190,10 @@ RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, cons
     }
   }
   probe.logs = probe.lows - profiles;
-  real2 share;
-  real norm = LogNorm(probe.logs.x, probe.logs.y, field.p, share);
+  real2 weights;
+  real norm = LogNorm(probe.logs.x, probe.logs.y, field.p, weights);
   real3 gradient =
-    real3(share.x, share.y, share.x * probe.falls.x + share.y * probe.falls.y) / real3(a.x, a.y, real(1.0));
+    real3(weights.x, weights.y, weights.x * probe.falls.x + weights.y * probe.falls.y) / real3(a.x, a.y, real(1.0));
   probe.tolerance = real2(real(0.0));
   if (field.convex)
   {
@@ -217,7 +217,7 @@ RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, cons
     probe.tolerance += real2(real(16.0) * u) + real(2.0) * real2(rounding.x / a.x, rounding.y / a.y);
     // Outside the larger quotient alone keeps N up; inside neither may be large.
     probe.error = real(16.0) * u * (real(1.0) + real(1.0) / field.p) +
-      (probe.outside ? dot(share, probe.tolerance) : LogNorm(probe.logs + probe.tolerance, field.p) - norm);
+      (probe.outside ? dot(weights, probe.tolerance) : LogNorm(probe.logs + probe.tolerance, field.p) - norm);
     gradient = real(RTG_LOG2_E) * gradient;
   }
   probe.slope = dot(gradient, Toward(v, field.d));
@@ -249,13 +249,13 @@ RTG_FN DoubleWord NextBreak(const NestedField field, const DoubleWord after, RTG
     real3 middle = field.o + (real(0.5) * (after.hi + next.hi)) * field.d;
     real3 v = Toward(middle, field.o);
     real3 d = Toward(middle, field.d);
-    real turnX = NestedExtremum(v.x, d.x, v.z, d.z, field.q, after.hi);
-    real turnY = NestedExtremum(v.y, d.y, v.z, d.z, field.r, after.hi);
-    real low = min(turnX, turnY);
-    real turn = low > after.hi ? low : max(turnX, turnY);
-    if (turn > after.hi && turn < next.hi)
+    real extremumX = NestedExtremum(v.x, d.x, v.z, d.z, field.q, after.hi);
+    real extremumY = NestedExtremum(v.y, d.y, v.z, d.z, field.r, after.hi);
+    real low = min(extremumX, extremumY);
+    real extremum = low > after.hi ? low : max(extremumX, extremumY);
+    if (extremum > after.hi && extremum < next.hi)
     {
-      next = Word(turn);
+      next = Word(extremum);
       axis = -1;
     }
   }
@@ -332,10 +332,10 @@ RTG_FN Window WindowOf(
       NestedSlopeOfTerm(field.p, most, real2(a.lows.y, b.lows.y), real2(a.logs.y, b.logs.y),
         real2(a.falls.y, b.falls.y), heights, field.steepAt.y, field.leastFall.y, real2(a.tolerance.y, b.tolerance.y),
         d.y, d.z);
-    real stretch = field.p * (most - least);
-    stretch = real(RTG_LOG2_E) * (stretch < real(60.0) ? exp2(stretch) : real(1e18));
-    window.slopeA = stretch * (sign > real(0.0) ? slopes.x : -slopes.y);
-    window.slopeB = stretch * (sign > real(0.0) ? slopes.y : -slopes.x);
+    real steepness = field.p * (most - least);
+    steepness = real(RTG_LOG2_E) * (steepness < real(60.0) ? exp2(steepness) : real(1e18));
+    window.slopeA = steepness * (sign > real(0.0) ? slopes.x : -slopes.y);
+    window.slopeB = steepness * (sign > real(0.0) ? slopes.y : -slopes.x);
     window.unique = window.unique || window.slopeA >= real(0.0) || window.slopeB <= real(0.0);
     window.empty = bound > real(32.0 * RTG_ROUNDOFF);
   }
@@ -419,9 +419,9 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
     }
     y = Subtract(y, profile);
   }
-  DoubleWord shareX;
-  DoubleWord shareY;
-  DoubleWord norm = LogNorm(x, y, field.exponents.x, shareX, shareY);
+  DoubleWord weightX;
+  DoubleWord weightY;
+  DoubleWord norm = LogNorm(x, y, field.exponents.x, weightX, weightY);
   DoubleWord rateZ = RateOf(WordZ(at.origin), WordZ(at.direction));
   DoubleWord rateX = RateOf(WordX(at.origin), WordX(at.direction));
   DoubleWord rateY = RateOf(WordY(at.origin), WordY(at.direction));
@@ -432,26 +432,26 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
     real2(rateX.hi * rateX.hi, rateY.hi * rateY.hi);
   rateX = Add(rateX, Multiply(fallX, rateZ));
   rateY = Add(rateY, Multiply(fallY, rateZ));
-  DoubleWord slope = Add(Multiply(shareX, rateX), Multiply(shareY, rateY));
+  DoubleWord slope = Add(Multiply(weightX, rateX), Multiply(weightY, rateY));
   ImplicitPoint point;
-  point.second = shareX.hi * (second.x + field.p * rateX.hi * rateX.hi) +
-    shareY.hi * (second.y + field.p * rateY.hi * rateY.hi) - field.p * slope.hi * slope.hi;
-  real3 share = real3(shareX.hi, shareY.hi, shareX.hi * falls.x + shareY.hi * falls.y);
+  point.second = weightX.hi * (second.x + field.p * rateX.hi * rateX.hi) +
+    weightY.hi * (second.y + field.p * rateY.hi * rateY.hi) - field.p * slope.hi * slope.hi;
+  real3 weights = real3(weightX.hi, weightY.hi, weightX.hi * falls.x + weightY.hi * falls.y);
   if (field.convex)
   {
-    DoubleWord shareRho;
-    DoubleWord shareZ;
-    norm = LogNorm(norm, z, field.exponents.y, shareRho, shareZ);
+    DoubleWord weightRho;
+    DoubleWord weightZ;
+    norm = LogNorm(norm, z, field.exponents.y, weightRho, weightZ);
     real2 slopes = real2(slope.hi, rateZ.hi);
-    slope = Add(Multiply(shareRho, slope), Multiply(shareZ, rateZ));
-    point.second = shareRho.hi * (point.second + field.q * slopes.x * slopes.x) +
-      (field.q - real(1.0)) * shareZ.hi * slopes.y * slopes.y - field.q * slope.hi * slope.hi;
-    share = real3(shareRho.hi * share.x, shareRho.hi * share.y, shareZ.hi);
+    slope = Add(Multiply(weightRho, slope), Multiply(weightZ, rateZ));
+    point.second = weightRho.hi * (point.second + field.q * slopes.x * slopes.x) +
+      (field.q - real(1.0)) * weightZ.hi * slopes.y * slopes.y - field.q * slope.hi * slope.hi;
+    weights = real3(weightRho.hi * weights.x, weightRho.hi * weights.y, weightZ.hi);
   }
   else
   {
     // On a flat end x and y give 1 - z^q = rho^q more exactly than z.
-    share.z *= field.twoProfiles ? real(1.0) : exp2(clamp(-field.q * norm.hi, real(-60.0), real(60.0)));
+    weights.z *= field.twoProfiles ? real(1.0) : exp2(clamp(-field.q * norm.hi, real(-60.0), real(60.0)));
   }
 
   point.value = Multiply(norm, real(RTG_LN2));
@@ -460,7 +460,7 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
     point.value = Word(real(100.0));
   }
   point.slope = slope.hi;
-  point.gradient = share / max(abs(at.origin.hi), real3(real(RTG_TINY)));
+  point.gradient = weights / max(abs(at.origin.hi), real3(real(RTG_TINY)));
   point.taylor = TaylorErrorOf(field, point.gradient, at.origin.hi, at.direction.hi, falls);
   point.accuracy = field.accuracy;
   return point;

@@ -28,7 +28,7 @@ struct PolynomialSearch
   real low;  // the crossing is between these, which count along the ray from the point next to the center
   real high;
   real near;
-  bool turned; // whether h has its extreme at `a`
+  bool atExtremum; // of h, at `a`
   // Only double words decide whether there is one: `near` is where the surface comes closest and, where it turns back
   // there, else where it goes farthest.
   bool touches;
@@ -94,7 +94,7 @@ RTG_FN real ExtremeOf(const HermiteWindow window)
 #define RTG_PASS 0  // no crossing in the window
 #define RTG_CROSS 1 // one
 #define RTG_HALVE 2
-#define RTG_TURN 3 // the cubic is h, and it turns round in the window
+#define RTG_EXTREMUM 3 // the cubic is h, and has an extremum in the window
 
 // `bound`, `slopeBound`: how far h may be from the cubic. `halves`: too far; `wide`: it may be halved all the same.
 RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, const PlanePoint b, const bool endInside,
@@ -105,8 +105,8 @@ RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, con
   // Out of where f has the sign of `a`, or into where it has that of b
   real side = (search.inside ? search.a.f : b.f) < real(0.0) ? real(-1.0) : real(1.0);
   bool crosses = search.inside ? side * h.w < distance : endInside;
-  // Where h has turned round at a, its slope there says nothing.
-  bool level = search.turned && abs(d.x) <= slopeBound;
+  // Where h has an extremum at a, its slope there says nothing.
+  bool level = search.atExtremum && abs(d.x) <= slopeBound;
   d.x = level ? d.y : d.x;
   bool monotone = min(d.x, min(d.y, d.z)) > slopeBound || max(d.x, max(d.y, d.z)) < -slopeBound;
   real least = min(min(h.x, h.y), min(h.z, h.w)) - bound;
@@ -116,12 +116,12 @@ RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, con
   {
     return crosses ? RTG_CROSS : RTG_PASS;
   }
-  bool turns = d.x * d.z < real(0.0) || (abs(d.x) <= slopeBound && !level) || abs(d.z) <= slopeBound;
-  if (halves || (!turns && wide))
+  bool hasExtremum = d.x * d.z < real(0.0) || (abs(d.x) <= slopeBound && !level) || abs(d.z) <= slopeBound;
+  if (halves || (!hasExtremum && wide))
   {
     return RTG_HALVE;
   }
-  return turns ? RTG_TURN : crosses ? RTG_CROSS : RTG_PASS;
+  return hasExtremum ? RTG_EXTREMUM : crosses ? RTG_CROSS : RTG_PASS;
 }
 
 // Rounding of f in plain arithmetic: its terms cancel up to 3^(k / 2) times, usually much less.
@@ -153,7 +153,7 @@ RTG_FN bool NextCrossing(
   bool found = false;
   bool resumes = true;
   bool solving = false;
-  bool turning = false;
+  bool towardExtremum = false;
   bool peak = false; // whether |h| is largest there, not least
   real t = search.near;
   bool more = true;
@@ -161,10 +161,10 @@ RTG_FN bool NextCrossing(
   {
     ++search.steps;
     // The next point: the crossing from which to go on, a point of the bracket, or the end of the next window
-    real2 n = Turned(search.a.n, search.step);
+    real2 n = ComplexProduct(search.a.n, search.step);
     real width = search.width;
     bool last = false;
-    if (resumes || solving || turning)
+    if (resumes || solving || towardExtremum)
     {
       n = DirectionAt(ray, t);
     }
@@ -173,7 +173,7 @@ RTG_FN bool NextCrossing(
       n = end;
       last = true;
     }
-    if (last || turning)
+    if (last || towardExtremum)
     {
       width = max(SmallAngle(search.a.n.x * n.y - search.a.n.y * n.x), real(RTG_TINY));
     }
@@ -183,7 +183,7 @@ RTG_FN bool NextCrossing(
     {
       search.a = b;
       search.inside = search.known ? search.inside : inside;
-      search.turned = search.touches && (search.turnsBack ? search.near != search.high : true);
+      search.atExtremum = search.touches && (search.turnsBack ? search.near != search.high : true);
       search.touches = false;
       resumes = false;
     }
@@ -214,12 +214,12 @@ RTG_FN bool NextCrossing(
       real bound = cube * width * real(1.0 / 384.0);
       real rounding = error * max(search.a.n.x, b.n.x);
       bool halves = bound > rounding;
-      // Up to where it turns round h is monotone.
+      // Up to its extremum h is monotone.
       real slopeBound =
-        turning ? -real(RTG_NEVER) : real(0.0080188) * cube + error + rounding * (order + real(6.0) / width);
+        towardExtremum ? -real(RTG_NEVER) : real(0.0080188) * cube + error + rounding * (order + real(6.0) / width);
       int verdict = LookAt(
         window, search, b, inside, ray.distance, bound + rounding, slopeBound, halves, order * width > real(0.02));
-      bool uncertain = turning && abs(abs(b.n.x * b.f) - ray.distance) <= real(8.0) * error * b.n.x;
+      bool uncertain = towardExtremum && abs(abs(b.n.x * b.f) - ray.distance) <= real(8.0) * error * b.n.x;
       if (uncertain)
       {
         search.touches = true;
@@ -236,15 +236,15 @@ RTG_FN bool NextCrossing(
         real2 whole = search.step;
         if (last)
         {
-          whole = Turned(n, real2(search.a.n.x, -search.a.n.y));
+          whole = ComplexProduct(n, real2(search.a.n.x, -search.a.n.y));
         }
         real cosine = sqrt(real(0.5) + real(0.5) * whole.x);
         search.step = real2(cosine, real(0.5) * whole.y / cosine);
         search.width = real(0.5) * width;
       }
-      else if (verdict == RTG_TURN)
+      else if (verdict == RTG_EXTREMUM)
       {
-        real fraction = search.turned ? max(ExtremeOf(window), real(0.5)) : ExtremeOf(window);
+        real fraction = search.atExtremum ? max(ExtremeOf(window), real(0.5)) : ExtremeOf(window);
         real2 between = (real(1.0) - fraction) * search.a.n + fraction * b.n;
         peak = (window.slope.x > window.slope.z) == (window.value.y + window.value.z > real(0.0));
         search.low = ParameterOf(ray, search.a.n, ray.start);
@@ -272,15 +272,15 @@ RTG_FN bool NextCrossing(
       {
         search.a = b;
         search.inside = inside;
-        search.turned = turning;
+        search.atExtremum = towardExtremum;
         more = !last;
         if (search.width < real(0.75) * widest)
         {
           search.width = real(2.0) * search.width;
-          search.step = Turned(search.step, search.step);
+          search.step = ComplexProduct(search.step, search.step);
         }
       }
-      turning = verdict == RTG_TURN;
+      towardExtremum = verdict == RTG_EXTREMUM;
     }
   }
   after = search;
@@ -433,7 +433,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
   search.high = plane.start;
   search.touches = false;
   search.turnsBack = false;
-  search.turned = false;
+  search.atExtremum = false;
   search.pad = real2(real(0.0));
   search.known = true;
   search.a.n = DirectionAt(plane, plane.start);

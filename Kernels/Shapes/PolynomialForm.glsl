@@ -40,8 +40,8 @@ RTG_FN real2 QuarterStep(const int degree)
   return step;
 }
 
-// The product of complex numbers: the direction a turned by b.
-RTG_FN real2 Turned(const real2 a, const real2 b)
+// The product of complex numbers: a direction a rotated by b.
+RTG_FN real2 ComplexProduct(const real2 a, const real2 b)
 {
   return real2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
@@ -51,7 +51,7 @@ RTG_FN PlaneForm MakePlaneForm(const Glyph glyph, const real3 e, const real3 d)
 {
   int degree = RTG_DEGREE(glyph);
   real2 halfStep = QuarterStep(degree);
-  real2 step = Turned(halfStep, halfStep);
+  real2 step = ComplexProduct(halfStep, halfStep);
   real2 angle = real2(real(1.0), real(0.0));
   real x[RTG_MOST_SAMPLES];
   real y[RTG_MOST_SAMPLES];
@@ -62,7 +62,7 @@ RTG_FN PlaneForm MakePlaneForm(const Glyph glyph, const real3 e, const real3 d)
   RTG_UNROLL for (int i = 0; i <= degree; ++i)
   {
     real3 n = angle.x * e + angle.y * d;
-    angle = Turned(angle, step);
+    angle = ComplexProduct(angle, step);
     x[i] = n.x;
     y[i] = n.y;
     z[i] = n.z;
@@ -95,21 +95,21 @@ RTG_FN PlaneForm MakePlaneForm(const Glyph glyph, const real3 e, const real3 d)
   // Their discrete Fourier transform
   PlaneForm form;
   real2 wave = real2(real(1.0), real(0.0));
-  real2 twice = Turned(step, step);
+  real2 twice = ComplexProduct(step, step);
   form.most = real(0.0);
   RTG_UNROLL for (int m = 0; 2 * m <= degree; ++m)
   {
     real2 total = real2(real(0.0));
     RTG_UNROLL for (int i = degree; i >= 0; --i)
     {
-      total = Turned(total, wave);
+      total = ComplexProduct(total, wave);
       total.x += sum[i];
     }
-    real share = (m == 0 ? real(1.0) : real(2.0)) / real(degree + 1);
-    form.cosine[m] = share * total.x;
-    form.sine[m] = share * total.y;
-    form.most += share * length(total);
-    wave = Turned(wave, twice);
+    real weight = (m == 0 ? real(1.0) : real(2.0)) / real(degree + 1);
+    form.cosine[m] = weight * total.x;
+    form.sine[m] = weight * total.y;
+    form.most += weight * length(total);
+    wave = ComplexProduct(wave, twice);
   }
   return form;
 }
@@ -131,8 +131,8 @@ RTG_FN PlanePoint PlaneAt(const PlaneForm form, const int degree, const real2 n)
   RTG_UNROLL for (int m = degree / 2; m > 0; --m)
   {
     real2 coefficient = real2(form.cosine[m], -form.sine[m]);
-    f = Turned(f + coefficient, z);
-    slope = Turned(slope + real(m) * coefficient, z);
+    f = ComplexProduct(f + coefficient, z);
+    slope = ComplexProduct(slope + real(m) * coefficient, z);
   }
   PlanePoint point;
   point.n = n;
@@ -210,10 +210,10 @@ RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact
   point.f = Divide(sum, power);
   point.distance = Multiply(SquareRoot(square), largest.hi < real(0.0) ? Minus(largest) : largest);
   // d f / d x = (d sum / d x - k x sum / square) / power
-  DoubleWord share = Multiply(Divide(sum, square), real(glyph.degree));
+  DoubleWord radial = Multiply(Divide(sum, square), real(glyph.degree));
   power = Multiply(power, largest);
-  DoubleWord slopeX = Divide(Subtract(byX, Multiply(share, x)), power);
-  DoubleWord slopeY = Divide(Subtract(byY, Multiply(share, y)), power);
+  DoubleWord slopeX = Divide(Subtract(byX, Multiply(radial, x)), power);
+  DoubleWord slopeY = Divide(Subtract(byY, Multiply(radial, y)), power);
   DoubleWord slopeW = Minus(Add(Multiply(x, slopeX), Multiply(y, slopeY)));
   point.gradient.hi = real3(u == 0 ? slopeX.hi
       : v == 0                     ? slopeY.hi

@@ -70,13 +70,13 @@ RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
   {
     real lower;
     verdict = EstimateRoundCone(ray, glyph, tMin, tMax, lower, high);
-    low = verdict == RTG_MET ? lower : max(low, lower);
+    low = verdict == RTG_HIT ? lower : max(low, lower);
   }
   if (RTG_IS(shape, RTG_SWEPT) && verdict == RTG_UNKNOWN)
   {
     real lower;
     verdict = EstimateSweptEllipsoid(ray, glyph, tMin, tMax, lower, high);
-    low = verdict == RTG_MET ? lower : max(low, lower);
+    low = verdict == RTG_HIT ? lower : max(low, lower);
   }
   return verdict;
 }

@@ -387,9 +387,9 @@ RTG_FN int EstimateRoundCone(
   bool outside = true; // the ray surely starts there
   bool going = true;
   // Where it enters; and where it leaves, if it enters inside the line.
-  for (int turn = 0; turn < 2 && going; ++turn)
+  for (int i = 0; i < 2 && going; ++i)
   {
-    real sign = turn == 0 ? real(1.0) : real(-1.0);
+    real sign = i == 0 ? real(1.0) : real(-1.0);
     // The middle of the ball that touches the cone there.
     real middle = (start - (b + sign * root) / a * d.x - first * sine) / squaredCosine;
     if (!(a > real(0.0)) && !(sign * rate > real(0.0)))
@@ -427,14 +427,14 @@ RTG_FN int EstimateRoundCone(
                        : EstimateInner(glyph, n + real3(middle - halfLength, real(0.0), real(0.0)), sine, cosine,
                            real(2.0) * (uncertain + moved) + excess, extent);
       }
-      if (turn == 0)
+      if (i == 0)
       {
         outside = outer >= tMin;
         low = max(outer, tMin);
         going = !outside || isInner == RTG_INSIDE;
         if (isInner == RTG_OUTSIDE && outside && inner <= tMax)
         {
-          verdict = RTG_MET;
+          verdict = RTG_HIT;
           high = inner;
         }
       }
@@ -454,7 +454,7 @@ RTG_FN int EstimateRoundCone(
         }
         if (isInner == RTG_OUTSIDE && outside && outer <= tMax)
         {
-          verdict = RTG_MET;
+          verdict = RTG_HIT;
           low = inner;
           high = outer;
         }

@@ -58,7 +58,7 @@ struct Kernel
 
 #include "Registry.glsl"
 
-  static constexpr int missed = RTG_MISSED, met = RTG_MET, unknown = RTG_UNKNOWN;
+  static constexpr int missed = RTG_MISSED, hit = RTG_HIT, unknown = RTG_UNKNOWN;
 };
 
 #undef RTG_HOST

@@ -120,7 +120,7 @@ RTG_INTERSECT_BY_SPANS(Sphere, Sphere)
 // Half the extents of the ellipsoid with the given half-axes along the world's axes.
 RTG_FN real3 EllipsoidReach(const Glyph glyph, const real3 halfAxes)
 {
-  if (!glyph.turned)
+  if (!glyph.rotated)
   {
     return halfAxes;
   }

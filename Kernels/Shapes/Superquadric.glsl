@@ -339,7 +339,7 @@ RTG_FN real SuperquadricReach(const real3 a, const real3 exponents)
 RTG_FN Bounds SuperquadricBounds(const Glyph glyph)
 {
   real3 reach = real(0.5) * glyph.size;
-  if (glyph.turned)
+  if (glyph.rotated)
   {
     Axes axes = WorldAxes(glyph, reach);
     real3 x = abs(axes.x);

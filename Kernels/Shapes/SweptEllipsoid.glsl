@@ -1,5 +1,5 @@
 // Ellipsoid swept along x, centered: the union of all (p - m)^T C^-1 (p - m) <= 1 whose middles m go from -x to +x and
-// whose matrices C change linearly on the way: README.md, Swept ellipsoids. The ellipsoid half-way is the image of the
+// whose matrices C change linearly in between: README.md, Swept ellipsoids. The ellipsoid half-way is the image of the
 // unit ball under v -> (after.z v.x + after.x v.y + after.y v.z, size.y / 2 v.y, size.z / 2 v.z): size.y and size.z are
 // the diameters of its outline as seen along x.
 //   size.x: extent along x
@@ -10,8 +10,8 @@
 // It may be a piece of a line (Glyph::joined): crossings that lie inside the next piece at either end are none. The
 // ellipsoid that both share belongs to the piece before it. RTG_JOINT_VALUES numbers describe the next piece at -x, as
 // many that at +x: in the frame in which the shared ellipsoid is the unit ball, the rotation to that frame from the one
-// in which the next piece's matrices are diagonal, and in that one the way to its far end, all zero where there is
-// none, and how much the matrix grows up to there.
+// in which the next piece's matrices are diagonal, and in that one the displacement to its far end, all zero where
+// there is none, and how much the matrix grows up to there.
 #ifndef RTG_SWEPT_ELLIPSOID
 #define RTG_SWEPT_ELLIPSOID
 
@@ -29,11 +29,12 @@
 #define RTG_JOINT_VALUES 10
 #define RTG_LEAST_SQUARE 1.0e-9 // half-axes are at least 3e-5 of those half-way
 
-// The ray in the frame of diagonal matrices: at height a in [-1, 1] the middle is a way, the matrix 1 + a growth.
+// The ray in the frame of diagonal matrices: at height a in [-1, 1] the middle is a displacement, the matrix 1 + a
+// growth.
 struct SweptRay
 {
   LocalRay ray;
-  DoubleWord3 way;
+  DoubleWord3 displacement;
   DoubleWord3 growth;
 };
 
@@ -68,16 +69,16 @@ RTG_FN real3 SweptNormal(const Glyph glyph, const DoubleWord3 gradient)
 // Where the line o + s d enters or leaves an ellipsoid round 0 of those inverse squares of half-axes, or, if it misses
 // that, is nearest. With F = (p - m)^T C^-1 (p - m): `rate`, dF / da there at the same point; `bend`, the derivative of
 // that along the sweep.
-RTG_FN void MeetOneOfSweep(const real3 o, const real3 d, const real3 way, const real3 growth, const real3 weights,
-  const real side, RTG_OUT(real) rate, RTG_OUT(real) bend)
+RTG_FN void DepthInSweep(const real3 o, const real3 d, const real3 displacement, const real3 growth,
+  const real3 weights, const real side, RTG_OUT(real) rate, RTG_OUT(real) bend)
 {
   real a = dot(weights * d, d);
   real b = dot(weights * o, d);
   real c = dot(weights * o, o) - real(1.0);
   real root = sqrt(max(b * b - a * c, real(0.0)));
   real3 gradient = weights * (o + ((side * root - b) / a) * d);
-  real3 motion = way + growth * gradient;
-  rate = -dot(way + motion, gradient);
+  real3 motion = displacement + growth * gradient;
+  rate = -dot(displacement + motion, gradient);
   real mixed = real(-2.0) * dot(weights * d, motion);
   real slope = root > real(0.0) ? -rate / (real(2.0) * side * root) : -mixed / (real(2.0) * a);
   bend = real(2.0) * dot(weights * motion, motion) + mixed * slope;
@@ -137,18 +138,18 @@ RTG_FN HeightSearch NextHeight(
 // The height, less `start`, of the ellipsoid that the line enters first, or leaves last. Where a line is inside, F is a
 // convex function of height and s, so the rate tells on which side of a height that ellipsoid is.
 RTG_FN real HeightOfCrossing(
-  const real3 o, const real3 d, const real3 way, const real3 growth, const real start, const real side)
+  const real3 o, const real3 d, const real3 displacement, const real3 growth, const real start, const real side)
 {
   real low = real(-1.0) - start;
   real high = real(1.0) - start;
   HeightSearch search = SearchFrom(clamp(real(0.0), low, high), low, high);
-  real scale = real(1.0) + length(way);
+  real scale = real(1.0) + length(displacement);
   for (int i = 0; i < 80 && !search.done; ++i)
   {
     real rate;
     real bend;
     real3 squares = max(real3(1.0) + (start + search.at) * growth, real3(RTG_LEAST_SQUARE));
-    MeetOneOfSweep(o - search.at * way, d, way, growth, real3(1.0) / squares, side, rate, bend);
+    DepthInSweep(o - search.at * displacement, d, displacement, growth, real3(1.0) / squares, side, rate, bend);
     // Steps are short, too, where the line hardly meets that ellipsoid.
     search = NextHeight(search, rate, bend, real(0.05) * sqrt(real(RTG_ROUNDOFF)) / scale, real(1.0e-3) * scale);
   }
@@ -172,18 +173,18 @@ struct SweptPoint
 
 // Where the ray enters or leaves the sweep. `enough`: an error of its parameter that is none, 0 where the normal is
 // wanted.
-RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, RTG_OUT(SweptPoint) point)
+RTG_FN bool IntersectSweep(const SweptRay swept, const real side, const real enough, RTG_OUT(SweptPoint) point)
 {
   real3 d = swept.ray.direction.hi;
-  real3 way = swept.way.hi;
+  real3 displacement = swept.displacement.hi;
   real3 growth = swept.growth.hi;
   // From where the ray passes the axis.
   real dd = dot(d, d);
-  real dw = dot(d, way);
-  real ww = dot(way, way);
+  real dw = dot(d, displacement);
+  real ww = dot(displacement, displacement);
   real apart = dd * ww - dw * dw;
   real3 o = swept.ray.origin.hi;
-  real at = apart > real(1.0e-4) * dd * ww ? (dot(o, way) * dd - dot(o, d) * dw) / apart : real(0.0);
+  real at = apart > real(1.0e-4) * dd * ww ? (dot(o, displacement) * dd - dot(o, d) * dw) / apart : real(0.0);
   at = clamp(at, real(-1.0), real(1.0));
   LocalRay near = swept.ray;
   DoubleWord height = Word(real(0.0));
@@ -199,13 +200,13 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
   {
     if (step == RTG_SEARCH)
     {
-      at = HeightOfCrossing(near.origin.hi, d, way, growth, height.hi, side);
+      at = HeightOfCrossing(near.origin.hi, d, displacement, growth, height.hi, side);
     }
     DoubleWord toLow = Subtract(low, height);
     DoubleWord toHigh = Subtract(high, height);
     DoubleWord climb = at > toLow.hi ? (at < toHigh.hi ? Word(at) : toHigh) : toLow;
     height = Add(height, climb);
-    near.origin = Subtract(near.origin, Multiply(swept.way, Word3(climb)));
+    near.origin = Subtract(near.origin, Multiply(swept.displacement, Word3(climb)));
     DoubleWord3 squares = Add(Multiply(swept.growth, Word3(height)), real3(1.0));
     squares.hi = max(squares.hi, real3(RTG_LEAST_SQUARE));
     DoubleWord3 weights = Divide(Word3(real3(1.0)), squares);
@@ -232,9 +233,10 @@ RTG_FN bool MeetSweep(const SweptRay swept, const real side, const real enough, 
 
       // -dF / da and half dF / ds, in double words where plain numbers cancel.
       gradient = Multiply(near.origin, weights);
-      real fall = SumOf(Multiply(Add(Multiply(swept.way, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
+      real fall =
+        SumOf(Multiply(Add(Multiply(swept.displacement, real3(2.0)), Multiply(swept.growth, gradient)), gradient)).hi;
       real rise = SumOf(Multiply(gradient, near.direction)).hi;
-      real3 motion = way + growth * gradient.hi;
+      real3 motion = displacement + growth * gradient.hi;
       real mixed = dot(dWeighted, motion);
       // Where the line is nearest, if it misses.
       bool higher = (discriminant > real(0.0) ? fall : fall - real(2.0) * mixed * rise / a) > real(0.0);
@@ -300,21 +302,22 @@ struct SweptDrop
   real drop;
 };
 
-RTG_FN SweptDrop DropAlong(const real3 p, const real3 way, const real3 growth)
+RTG_FN SweptDrop DropAlong(const real3 p, const real3 displacement, const real3 growth)
 {
   HeightSearch search = SearchFrom(real(0.0), real(0.0), real(1.0));
   for (int i = 0; i < 80 && !search.done; ++i)
   {
     real3 squares = max(real3(1.0) + search.at * growth, real3(RTG_LEAST_SQUARE));
-    real3 gradient = (p - search.at * way) / squares;
-    real3 motion = way + growth * gradient;
-    search = NextHeight(search, -dot(way + motion, gradient), real(2.0) * dot(motion / squares, motion),
+    real3 gradient = (p - search.at * displacement) / squares;
+    real3 motion = displacement + growth * gradient;
+    search = NextHeight(search, -dot(displacement + motion, gradient), real(2.0) * dot(motion / squares, motion),
       real(4.0 * RTG_ROUNDOFF) * search.at, real(RTG_NEVER));
   }
   real at = clamp(search.at, real(0.0), real(1.0));
   real3 weights = real3(1.0) / max(real3(1.0) + at * growth, real3(RTG_LEAST_SQUARE));
-  real3 left = p - at * way;
-  return SweptDrop(dot(weights * left, left), at * dot(weights, p * (real(2.0) * way + growth * p) - at * way * way));
+  real3 left = p - at * displacement;
+  return SweptDrop(dot(weights * left, left),
+    at * dot(weights, p * (real(2.0) * displacement + growth * p) - at * displacement * displacement));
 }
 
 // Whether a point of the sweep's surface, or of its inside, lies in the next piece of the line at an end (side -1, 1).
@@ -323,21 +326,21 @@ RTG_FN bool InNextSweep(const SweptRay swept, const Glyph glyph, const real side
 {
   int first = side < real(0.0) ? 0 : RTG_JOINT_VALUES;
   real3 axis = real3(RTG_VALUE(glyph, first), RTG_VALUE(glyph, first + 1), RTG_VALUE(glyph, first + 2));
-  real3 way = real3(RTG_VALUE(glyph, first + 4), RTG_VALUE(glyph, first + 5), RTG_VALUE(glyph, first + 6));
+  real3 displacement = real3(RTG_VALUE(glyph, first + 4), RTG_VALUE(glyph, first + 5), RTG_VALUE(glyph, first + 6));
   real3 growth = real3(RTG_VALUE(glyph, first + 7), RTG_VALUE(glyph, first + 8), RTG_VALUE(glyph, first + 9));
   real3 squares = max(real3(1.0) + side * swept.growth.hi, real3(RTG_LEAST_SQUARE));
   real3 halves = sqrt(squares);
   real3 q = p / halves;
   bool inside = false;
-  if (dot(way, way) > real(0.0))
+  if (dot(displacement, displacement) > real(0.0))
   {
-    SweptDrop next = DropAlong(Rotate(-axis, RTG_VALUE(glyph, first + 3), q), way, growth);
+    SweptDrop next = DropAlong(Rotate(-axis, RTG_VALUE(glyph, first + 3), q), displacement, growth);
     inside = next.least < real(1.0);
     // On the surface F is 1 less this piece's own drop: README.md, Swept ellipsoids.
     if (surface && dot(q, q) < real(4.0))
     {
       real twice = real(-2.0) * side;
-      real own = DropAlong(q, twice * swept.way.hi / halves, twice * swept.growth.hi / squares).drop;
+      real own = DropAlong(q, twice * swept.displacement.hi / halves, twice * swept.growth.hi / squares).drop;
       inside = next.drop > own || (side < real(0.0) && next.drop == own);
     }
   }
@@ -350,7 +353,7 @@ RTG_FN bool IsInner(const SweptRay swept, const Glyph glyph, const SweptPoint po
   bool inner = false;
   for (int side = -1; side <= 1 && !inner; side += 2)
   {
-    real3 p = Add(point.fromMiddle, Multiply(swept.way, Word3(Add(point.height, real(-side))))).hi;
+    real3 p = Add(point.fromMiddle, Multiply(swept.displacement, Word3(Add(point.height, real(-side))))).hi;
     inner = InNextSweep(swept, glyph, real(side), p, true);
   }
   return inner;
@@ -364,7 +367,7 @@ RTG_FN bool ToSwept(const GlyphRay ray, const Glyph glyph, RTG_OUT(SweptRay) swe
   {
     swept.ray.origin = ToDiagonal(glyph, swept.ray.origin);
     swept.ray.direction = ToDiagonal(glyph, swept.ray.direction);
-    swept.way = ToDiagonal(glyph, Word3(real3(real(0.5) * glyph.after.w, real(0.0), real(0.0))));
+    swept.displacement = ToDiagonal(glyph, Word3(real3(real(0.5) * glyph.after.w, real(0.0), real(0.0))));
     swept.growth = TwoSum(glyph.exponents, real3(-1.0));
   }
   return near;
@@ -383,7 +386,7 @@ RTG_FN GlyphHit IntersectSweptEllipsoid(
     for (int side = RTG_ENTRY; side <= RTG_EXIT && met && !hit.found; side += RTG_EXIT - RTG_ENTRY)
     {
       SweptPoint point;
-      met = MeetSweep(swept, real(side), wantsNormal ? real(0.0) : enough, point);
+      met = IntersectSweep(swept, real(side), wantsNormal ? real(0.0) : enough, point);
       hit.found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
       hit.leaves = side == RTG_EXIT;
       hit.t = point.t;
@@ -406,8 +409,9 @@ RTG_FN bool IsInSweep(const GlyphRay ray, const Glyph glyph, const real t)
     real3 p = PointAt(swept.ray, Add(Word(t), Minus(swept.ray.start)));
     real3 squares = max(real3(1.0) - swept.growth.hi, real3(RTG_LEAST_SQUARE));
     real3 halves = sqrt(squares);
-    p += swept.way.hi;
-    SweptDrop own = DropAlong(p / halves, real(2.0) * swept.way.hi / halves, real(2.0) * swept.growth.hi / squares);
+    p += swept.displacement.hi;
+    SweptDrop own =
+      DropAlong(p / halves, real(2.0) * swept.displacement.hi / halves, real(2.0) * swept.growth.hi / squares);
     inside = own.least <= real(1.0) && !(glyph.joined && InNextSweep(swept, glyph, real(-1.0), p, false));
   }
   return inside;
@@ -420,14 +424,14 @@ RTG_FN Enclosure SweptEllipsoidEnclosure(const Glyph glyph)
   return outer;
 }
 
-// The largest of height * way + sqrt(square + height * growth), which is concave.
-RTG_FN real SweptSupport(const real way, const real square, const real growth)
+// The largest of height * displacement + sqrt(square + height * growth), which is concave.
+RTG_FN real SweptSupport(const real displacement, const real square, const real growth)
 {
-  real root = real(-0.5) * growth / way;
+  real root = real(-0.5) * growth / displacement;
   real at = root > real(0.0) ? clamp((root * root - square) / growth, real(-1.0), real(1.0)) : real(1.0);
-  real between = at * way + sqrt(max(square + at * growth, real(0.0)));
-  real first = sqrt(max(square - growth, real(0.0))) - way;
-  real last = sqrt(max(square + growth, real(0.0))) + way;
+  real between = at * displacement + sqrt(max(square + at * growth, real(0.0)));
+  real first = sqrt(max(square - growth, real(0.0))) - displacement;
+  real last = sqrt(max(square + growth, real(0.0))) + displacement;
   return max(between, max(first, last));
 }
 
@@ -461,7 +465,7 @@ RTG_FN int EstimateSweptEllipsoid(
   real nearest = -dot(v, ray.direction) / dot(ray.direction, ray.direction);
   real3 o = ToDiagonal(glyph, RotateToLocal(glyph, v + nearest * ray.direction));
   real3 d = ToDiagonal(glyph, RotateToLocal(glyph, ray.direction));
-  real3 way = ToDiagonal(glyph, real3(real(0.5) * glyph.after.w, real(0.0), real(0.0)));
+  real3 displacement = ToDiagonal(glyph, real3(real(0.5) * glyph.after.w, real(0.0), real(0.0)));
   real3 growth = glyph.exponents - real3(1.0);
   real3 rows = real3(
     (real(1.0) + real(2.0) * (abs(glyph.after.x) / glyph.size.y + abs(glyph.after.y) / glyph.size.z)) / glyph.after.z,
@@ -473,16 +477,16 @@ RTG_FN int EstimateSweptEllipsoid(
   bool outside = true; // the ray surely starts there
   bool going = true;
   // Where it enters; and where it leaves, if it may start inside.
-  for (int turn = 0; turn < 2 && going; ++turn)
+  for (int i = 0; i < 2 && going; ++i)
   {
-    real side = turn == 0 ? real(RTG_ENTRY) : real(RTG_EXIT);
-    real at = HeightOfCrossing(o, d, way, growth, real(0.0), side);
+    real side = i == 0 ? real(RTG_ENTRY) : real(RTG_EXIT);
+    real at = HeightOfCrossing(o, d, displacement, growth, real(0.0), side);
     // The ray in the frame where the ellipsoid of that height is the unit ball.
     real3 scale = inversesqrt(max(real3(1.0) + at * growth, real3(RTG_LEAST_SQUARE)));
     real largest = max(scale.x, max(scale.y, scale.z));
     real moved = largest * (diagonalMoved + real(4.0 * RTG_ROUNDOFF) * largest);
     real tolerance = real(4.0) * (real(1.0) + moved) * moved;
-    real3 m = scale * (o - at * way);
+    real3 m = scale * (o - at * displacement);
     real3 e = scale * d;
     real ee = dot(e, e);
     real toNearest = -dot(m, e) / ee;
@@ -496,7 +500,7 @@ RTG_FN int EstimateSweptEllipsoid(
     // beyond.
     real3 n = going ? q - toSurface * e : q;
     real3 r = scale * n;
-    real along = dot(way, r);
+    real along = dot(displacement, r);
     real beyond = SweptSupport(along, dot(r, r), dot(growth * r, r)) - at * along;
     real rounding = real(16.0 * RTG_ROUNDOFF) * (real(1.0) + abs(along) + dot(r, r));
     if (going)
@@ -506,18 +510,18 @@ RTG_FN int EstimateSweptEllipsoid(
       real crossing = nearest + (toNearest - toSurface);
       real inner = crossing - side * perUnit * uncertain;
       real outer = crossing + side * perUnit * (uncertain + excess / halfChord);
-      if (turn == 0)
+      if (i == 0)
       {
         outside = outer >= tMin;
         low = max(outer, tMin);
         going = !outside;
         if (outside && inner <= tMax && !glyph.joined)
         {
-          verdict = RTG_MET;
+          verdict = RTG_HIT;
           high = inner;
         }
       }
-      if (low > tMax || (turn == 1 && outer < tMin))
+      if (low > tMax || (i == 1 && outer < tMin))
       {
         verdict = RTG_MISSED;
         going = false;

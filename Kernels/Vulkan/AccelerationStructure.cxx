@@ -43,9 +43,7 @@ AccelerationStructure::AccelerationStructure(Device::State& device,
 AccelerationStructure
 AccelerationStructure::OverBoxes(Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes)
 {
-  const std::size_t bytes = boxes.size() * sizeof(boxes[0]);
-  Buffer input(device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
-  input.Upload(boxes.data(), bytes);
+  Buffer input = Send(device, boxes, Usage::eAccelerationStructureBuildInputReadOnlyKHR);
   const vk::AccelerationStructureGeometryAabbsDataKHR data(input.Address(), sizeof(boxes[0]));
   const vk::AccelerationStructureGeometryKHR geometry(
     vk::GeometryTypeKHR::eAabbs, data, vk::GeometryFlagBitsKHR::eOpaque);
@@ -67,9 +65,7 @@ AccelerationStructure AccelerationStructure::OverTriangles(Device::State& device
 AccelerationStructure AccelerationStructure::OverInstances(
   Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances)
 {
-  const std::size_t bytes = instances.size() * sizeof(vk::AccelerationStructureInstanceKHR);
-  Buffer input(device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
-  input.Upload(instances.data(), bytes);
+  Buffer input = Send(device, instances, Usage::eAccelerationStructureBuildInputReadOnlyKHR);
   const vk::AccelerationStructureGeometryInstancesDataKHR data(false, input.Address());
   const vk::AccelerationStructureGeometryKHR geometry(
     vk::GeometryTypeKHR::eInstances, data, vk::GeometryFlagBitsKHR::eOpaque);

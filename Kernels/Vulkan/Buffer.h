@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace rtg
 {
@@ -37,7 +38,8 @@ public:
   /// Copies host data to the start of the buffer: at once, or with the device's batch where there is one and the buffer
   /// is not mapped.
   void Upload(const void* data, std::size_t size);
-  /// The same of `count` elements of `stride` bytes, in pieces: `fill` writes elements [first, last) from `target` on.
+  /// Copies `count` elements of `stride` bytes likewise, in pieces: `fill` writes elements [first, last) from `target`
+  /// on.
   void Write(std::size_t count, std::size_t stride,
     const std::function<void(void* target, std::size_t first, std::size_t last)>& fill);
   /// Repeats a word over some of its bytes, multiples of four.
@@ -55,5 +57,15 @@ private:
   vk::DeviceAddress address_ = 0;
   void* mapped_ = nullptr;
 };
+
+/// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
+template <class T>
+Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
+{
+  Buffer buffer(
+    device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
+  buffer.Upload(values.data(), values.size() * sizeof(T));
+  return buffer;
+}
 
 } // namespace rtg

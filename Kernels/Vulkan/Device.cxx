@@ -95,15 +95,8 @@ std::string DeviceName(const vk::raii::PhysicalDevice& physical)
 
 bool ContainsIgnoringCase(const std::string& text, const std::string& part)
 {
-  auto lower = [](std::string s)
-  {
-    for (char& c : s)
-    {
-      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return s;
-  };
-  return lower(text).find(lower(part)) != std::string::npos;
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
 // The index of the device that `wanted` names by number or part of its name. A number that no device has, such as 4090,

@@ -64,7 +64,7 @@ public:
 
   std::atomic<std::uint64_t> bytes{ 0 }; ///< of all pieces
 
-  /// Of new blocks that are shared. 0: each piece has a block of its own. Tests set it.
+  /// Size of new blocks that are shared. 0: each piece has a block of its own. Tests set it.
   std::size_t blockBytes = std::size_t(16) << 20;
 
 private:

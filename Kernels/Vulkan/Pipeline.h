@@ -40,7 +40,7 @@ public:
   /// For the launches that are recorded after it. Not while one before is still running.
   void Send(vk::raii::CommandBuffer& command, const device::FrameRecord& frame);
   vk::DescriptorSet Descriptor() const { return *this->set_; }
-  /// Of the block's own few lights.
+  /// Address of the block's own few lights.
   vk::DeviceAddress Lights() const { return this->buffer_.Address() + offsetof(device::FrameRecord, fewLights); }
 
 private:

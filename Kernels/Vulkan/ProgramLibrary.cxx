@@ -1,6 +1,5 @@
 #include "ProgramLibrary.h"
 
-#include "../Parallel.h"
 #include "../Stopwatch.h"
 #include "../System.h"
 
@@ -94,7 +93,7 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
   {
     program->ahead = false;
     ++this->atWork_;
-    RunInBackground(
+    std::thread(
       [this, program]() mutable
       {
         this->Compile(*program);
@@ -102,7 +101,8 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
         program.reset(); // the device may go as soon as nothing is at work
         --this->atWork_;
         this->idle_.notify_all();
-      });
+      })
+      .detach();
   }
   return { program, begins };
 }

@@ -56,8 +56,8 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
   if (this->Own.Collective && settings.IsReplicated() && !effort.preview && !effort.features &&
     !rtg::Denoises(view, effort))
   {
-    view.settings.share = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Own());
-    view.settings.shares = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Count());
+    view.settings.part = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Own());
+    view.settings.parts = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Count());
   }
 
   rtglyphs::RayTracedImages::Place place;

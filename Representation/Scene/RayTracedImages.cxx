@@ -53,8 +53,7 @@ public:
   {
     if (!this->Images.Device || this->Images.Device->Lost())
     {
-      this->Images.Past = this->Images.GetStatistics();
-      this->Images.Scene.reset();
+      this->Images.DropScene();
       this->Images.Resources.reset();
       for (auto& [place, entry] : this->Images.Entries)
       {
@@ -66,11 +65,11 @@ public:
     }
     if (!this->Images.Resources)
     {
-      this->Images.Resources = rtg::MakeTracerResources(this->Images.Device);
+      this->Images.Resources = rtg::MakeTracerResources(this->Images.Device, this->Images.Counters);
     }
     if (!this->Images.Scene)
     {
-      this->Images.Scene = std::make_unique<rtg::Scene>(this->Images.Device);
+      this->Images.Scene = std::make_unique<rtg::Scene>(this->Images.Device, this->Images.Counters);
       ++this->Images.SceneNumber;
     }
     try
@@ -99,9 +98,9 @@ public:
     return this->Own.Tracer->Trace(*this->Images.Scene, view.camera, view.lights, settings, view.pass, interrupt);
   }
 
-  rtg::Image Resume(const rtg::Interrupt& interrupt) override
+  rtg::Image Resume(std::uint32_t samples, const rtg::Interrupt& interrupt) override
   {
-    return this->Own.Tracer->Resume(*this->Images.Scene, interrupt);
+    return this->Own.Tracer->Resume(*this->Images.Scene, samples, interrupt);
   }
 
   rtg::Image
@@ -271,7 +270,7 @@ rtglyphs::RayTracedImages::Entry* rtglyphs::RayTracedImages::FindSame(const rtg:
   {
     const rtg::ImageView& other = entry->Image.View();
     if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
-      other.settings.shares == 1 && other.pass == view.pass && other.sceneVersion == view.sceneVersion &&
+      other.settings.parts == 1 && other.pass == view.pass && other.sceneVersion == view.sceneVersion &&
       other.camera.IsNear(view.camera) && other.settings.width == view.settings.width &&
       other.settings.height == view.settings.height)
     {
@@ -292,11 +291,7 @@ const rtg::Image* rtglyphs::RayTracedImages::Update(
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedImages::DropScene()
 {
-  if (this->Scene)
-  {
-    this->Past += this->Scene->GetStatistics();
-    this->Scene.reset();
-  }
+  this->Scene.reset();
 }
 
 //----------------------------------------------------------------------------
@@ -309,17 +304,9 @@ void rtglyphs::RayTracedImages::DropImages()
 //----------------------------------------------------------------------------
 rtg::Statistics rtglyphs::RayTracedImages::GetStatistics() const
 {
-  rtg::Statistics sum = this->Past;
-  if (this->Scene)
-  {
-    sum += this->Scene->GetStatistics();
-  }
-  if (this->Resources)
-  {
-    sum += rtg::StatisticsOf(*this->Resources);
-  }
-  sum.deviceBytes = this->Device ? this->Device->HeldBytes() : 0;
-  return sum;
+  rtg::Statistics now = this->Resources ? rtg::StatisticsOf(*this->Resources) : *this->Counters;
+  now.deviceBytes = this->Device ? this->Device->HeldBytes() : 0;
+  return now;
 }
 
 //----------------------------------------------------------------------------

@@ -135,7 +135,7 @@ private:
   std::uint64_t SceneNumber = 0, Frame = 0;
   bool Capture = false; // this frame
   std::map<Place, std::unique_ptr<Entry>> Entries;
-  rtg::Statistics Past; // of scenes that are gone
+  const std::shared_ptr<rtg::Statistics> Counters = std::make_shared<rtg::Statistics>();
 };
 
 } // namespace rtglyphs

@@ -144,7 +144,7 @@ void rtglyphs::RayTracedNeighbors::Commit(
     {
       const rtg::Scene::SetId id = scene.Add();
       this->Sent.push_back(id);
-      scene.SetSeen(id, false);
+      scene.SetCameraVisible(id, false);
       scene.SetInstances(id, set.Instances);
       scene.SetColors(id, set.Colors);
     }

@@ -162,8 +162,8 @@ private:
     glyph.center = instances.centers[i];
     glyph.size = instances.sizes3.empty() ? glm::vec3(instances.uniformSize) : instances.sizes3[i];
     glyph.sameSize = instances.sizes3.empty();
-    glyph.turned = !instances.rotations.empty();
-    glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
+    glyph.rotated = !instances.rotations.empty();
+    glyph.rotation = glyph.rotated ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
     glyph.arrow = glm::vec4(
       instances.arrow.shaftRadius, instances.arrow.tipRadius, instances.arrow.tipLength, instances.arrow.tipRounding);
     glyph.fixedHeads = instances.arrow.fixedHeads;

@@ -119,8 +119,8 @@ void MeasureCost(
       sample.push_back(cost / samples);
       overRest.push_back(cost / rest);
     }
-    csv << path << ',' << (1u << moving.scene.GetState().placedTimeSliceBits) << ',' << benchmark::Measured(build)
-        << ',' << benchmark::Measured(sample) << ',' << benchmark::Measured(overRest) << std::endl;
+    csv << path << ',' << (1u << moving.scene.GetState().records.sliceBits) << ',' << benchmark::Measured(build) << ','
+        << benchmark::Measured(sample) << ',' << benchmark::Measured(overRest) << std::endl;
   }
 }
 

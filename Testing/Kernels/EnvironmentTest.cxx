@@ -138,7 +138,7 @@ TEST_F(EnvironmentTest, AnImageThatGoesOnKeepsItsOwn)
   ASSERT_FALSE(part.complete);
   this->settings.environmentImage = Make(7, 5, [](auto, auto) { return glm::vec3(4.0f); });
   trace(second, {});
-  ASSERT_TRUE(first.Resume(this->scene, {}).complete);
+  ASSERT_TRUE(first.Resume(this->scene, 64).complete);
   EXPECT_EQ(first.Means(), whole);
 }
 

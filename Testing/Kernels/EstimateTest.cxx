@@ -54,7 +54,7 @@ protected:
           const bool hit = Kernel::IntersectGlyph(shape, ray, glyph, range[0], range[1], t);
           const int verdict = Kernel::EstimateGlyph(shape, ray, glyph, range[0], range[1], low, high);
           const bool contradiction = (verdict == Kernel::missed && hit) ||
-            (verdict == Kernel::met && !(hit && low <= t && t <= high)) ||
+            (verdict == Kernel::hit && !(hit && low <= t && t <= high)) ||
             (verdict == Kernel::unknown && hit && !(low <= t));
           // A crossing that the exact answer finds where the ray passes within its tolerance is no contradiction.
           wrong += contradiction && !InBand<Real>(hard, hardRay, whole);
@@ -114,7 +114,7 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
       glyph.center = 10.0f * glm::vec3(unit(random), unit(random), unit(random));
       glyph.size = 0.6f + 0.4f * glm::vec3(unit(random), unit(random), unit(random));
       glyph.rotation = glm::normalize(glm::vec4(unit(random), unit(random), unit(random), unit(random)));
-      glyph.turned = true;
+      glyph.rotated = true;
       glyph.arrow = glm::vec4(0.03f, 0.1f, 0.35f, 0.3f);
       Kernel::GlyphRay ray{};
       ray.origin = glm::vec3(0.0f, 0.0f, 50.0f);

@@ -346,7 +346,7 @@ TEST_P(FaultTest, AnImageThatFailedIsNotGoneOnWith)
     const Fault fault("vkCreateBuffer", 1);
     EXPECT_THROW(Trace(*scene, tracer), rtg::OutOfMemory);
   }
-  EXPECT_THROW(tracer.Resume(*scene), rtg::Error);
+  EXPECT_THROW(tracer.Resume(*scene, 1), rtg::Error);
   EXPECT_TRUE(Trace(*scene, tracer) == Trace(*scene));
 }
 

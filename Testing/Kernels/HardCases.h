@@ -50,8 +50,8 @@ typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances
   typename shapes::Kernel<Real>::Glyph glyph{};
   glyph.center = instances.centers[index];
   glyph.size = instances.SizeOf(index);
-  glyph.turned = !instances.rotations.empty();
-  glyph.rotation = glyph.turned ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
+  glyph.rotated = !instances.rotations.empty();
+  glyph.rotation = glyph.rotated ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
   glyph.sameSize = instances.sizes3.empty();
   glyph.joined = instances.shape == Shape::SweptEllipsoid && !instances.polynomials.empty();
   const ArrowForm& form = instances.arrow;

@@ -198,15 +198,12 @@ TEST_P(Steps, AccumulateToTheSameImage)
 
   // A fresh tracer too: nothing may depend on what was traced before.
   rtg::Tracer other(this->device);
-  Image image;
-  std::uint32_t done = 0;
-  for (std::uint32_t step : { 1, 4, 8 })
+  this->settings.samples = 1;
+  Image image = other.Trace(this->scene, this->camera, this->lights, this->settings);
+  for (std::uint32_t samples : { 5, 13 })
   {
-    this->settings.firstSample = done;
-    this->settings.samples = step;
-    image = other.Trace(this->scene, this->camera, this->lights, this->settings);
-    done += step;
-    EXPECT_EQ(image.samples, done);
+    image = other.Resume(this->scene, samples);
+    EXPECT_EQ(image.samples, samples);
   }
   EXPECT_EQ(color, std::vector<std::uint32_t>(image.color, image.color + pixels));
   EXPECT_EQ(glyphs, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + pixels));
@@ -336,14 +333,17 @@ INSTANTIATE_TEST_SUITE_P(Scenes, WholeScene,
 
 TEST_F(LightTest, SamplesAreAddedOnlyToTheirOwnImage)
 {
-  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
+  const auto id = this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
   this->settings.samples = 4;
+  this->settings.keepSums = false;
   this->Trace();
-  this->settings.firstSample = 3;
-  EXPECT_THROW(this->Trace(), rtg::Error); // four are there
-  this->settings.firstSample = 4;
-  this->settings.shading = Shading::AmbientOcclusion;
-  EXPECT_THROW(this->Trace(), rtg::Error); // of another kind
-  this->settings.shading = Shading::Local;
-  EXPECT_EQ(this->Trace().samples, 8u);
+  EXPECT_THROW(this->tracer.Resume(this->scene, 5), rtg::Error); // it keeps no sums
+  this->settings.keepSums = true;
+  this->Trace();
+  EXPECT_EQ(this->tracer.Resume(this->scene, 3).samples, 4u); // they are there
+  EXPECT_EQ(this->tracer.Resume(this->scene, 8).samples, 8u);
+  EXPECT_THROW(this->tracer.Resume(this->scene, 1u << 21), rtg::Error);
+  this->scene.SetMaterial(id, White());
+  this->scene.Commit();
+  EXPECT_THROW(this->tracer.Resume(this->scene, 9), rtg::Error); // of the scene as it was
 }

@@ -481,7 +481,7 @@ TEST_F(MeshTest, ThereIsSomethingAtEveryAddress)
   instances.centers = { glm::vec3(0.0f) };
   this->scene.SetInstances(this->scene.Add(), instances);
   this->scene.Commit();
-  const rtg::device::GlyphSetRecord& record = this->scene.GetState().records.front();
+  const rtg::device::GlyphSetRecord& record = this->scene.GetState().records.sets.front();
 #define RTG_EXPECT_ADDRESS(number, BIT, type, name, values, words) EXPECT_NE(record.name, 0u) << words;
   RTG_GLYPH_ARRAYS(RTG_EXPECT_ADDRESS)
 #undef RTG_EXPECT_ADDRESS

@@ -95,7 +95,7 @@ inline Double::Glyph GlyphAt(const rtg::GlyphInstances& instances, std::size_t i
   }
   glyph.size = instances.sizes3.empty() ? glm::dvec3(instances.uniformSize) : glm::dvec3(instances.sizes3[i]);
   glyph.sameSize = instances.sizes3.empty();
-  glyph.turned = true;
+  glyph.rotated = true;
   glyph.rotation = instances.rotations.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(instances.rotations[i]);
   if (!motion.angularVelocities.empty())
   {
@@ -135,7 +135,7 @@ protected:
   }
 
   // Whether there are several slices of time.
-  bool HasSlices() { return this->scene.GetState().placedTimeSliceBits > 0; }
+  bool HasSlices() { return this->scene.GetState().records.sliceBits > 0; }
 
   rtg::Scene::SetId Add(const rtg::GlyphInstances& instances)
   {

@@ -66,7 +66,7 @@ TEST_P(NormalsTest, ShadePicturesUpToTheSilhouette)
   Kernel::Glyph glyph{};
   glyph.size = instances.sizes3[0];
   glyph.rotation = instances.rotations[0];
-  glyph.turned = true;
+  glyph.rotated = true;
   glyph.exponents = subject.exponents;
   const ArrowForm& arrow = instances.arrow;
   glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);

@@ -154,27 +154,6 @@ TEST_F(Parallel, ExceptionsReachTheCaller)
   EXPECT_EQ(calls, 100);
 }
 
-/// Each has a thread: the first waits for the second, and loops go on meanwhile.
-TEST_F(Parallel, BackgroundTasks)
-{
-  for (int repeat = 0; repeat < 3; ++repeat)
-  {
-    std::promise<int> number;
-    std::packaged_task<int()> first([&] { return number.get_future().get(); });
-    std::future<int> result = first.get_future();
-    rtg::RunInBackground(std::move(first));
-    std::atomic<int> calls{ 0 };
-    rtg::ParallelFor(10, [&](std::size_t) { ++calls; });
-    EXPECT_EQ(calls, 10);
-    rtg::RunInBackground([&] { number.set_value(7); });
-    EXPECT_EQ(result.get(), 7);
-  }
-  std::packaged_task<int()> failing([]() -> int { throw std::runtime_error("failed"); });
-  std::future<int> result = failing.get_future();
-  rtg::RunInBackground(std::move(failing));
-  EXPECT_THROW(result.get(), std::runtime_error);
-}
-
 /// Turned superquadrics that move and spin.
 rtg::GlyphInstances Crowd(std::size_t count)
 {

@@ -88,7 +88,7 @@ protected:
     this->AddInstances(std::move(shown));
     if (!lit.centers.empty())
     {
-      this->scene.SetSeen(this->AddInstances(std::move(lit)), false);
+      this->scene.SetCameraVisible(this->AddInstances(std::move(lit)), false);
     }
   }
 

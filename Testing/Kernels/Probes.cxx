@@ -55,13 +55,13 @@ void ForgetProbes()
 
 std::vector<ProbeHit> TraceProbes(Scene& scene, const std::vector<Probe>& probes)
 {
-  const Scene::State& glyphs = scene.GetState();
+  const SceneRecords& glyphs = scene.GetState().records;
   std::vector<ProbeHit> hits(probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
-  if (probes.empty() || glyphs.records.empty())
+  if (probes.empty() || glyphs.sets.empty())
   {
     return hits;
   }
-  Device::State& vulkan = glyphs.device->GetState();
+  Device::State& vulkan = scene.GetState().device->GetState();
   std::vector<ProbeRecord> records(probes.size());
   for (std::size_t i = 0; i < probes.size(); ++i)
   {

@@ -45,21 +45,26 @@ public:
   Image Trace(const ImageView&, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
   {
     ++this->traces;
-    if (settings.firstSample > 0 &&
-      (!this->keeps || this->done != settings.firstSample || this->launchesLeft > 0 ||
-        this->last.features != settings.features))
-    {
-      throw rtg::Error("cannot continue");
-    }
-    this->done = settings.firstSample;
+    this->done = 0;
     this->last = settings;
     this->launchesLeft = 4;
     return this->Run(interrupt);
   }
 
-  Image Resume(const rtg::Interrupt& interrupt) override
+  Image Resume(std::uint32_t samples, const rtg::Interrupt& interrupt) override
   {
-    ++this->resumes;
+    if (this->launchesLeft > 0)
+    {
+      ++this->resumes;
+      EXPECT_EQ(samples, this->last.samples);
+      return this->Run(interrupt);
+    }
+    if (!this->last.keepSums || samples <= this->done)
+    {
+      throw rtg::Error("cannot continue");
+    }
+    this->last.samples = samples;
+    this->launchesLeft = 4;
     return this->Run(interrupt);
   }
 
@@ -72,7 +77,7 @@ public:
     preview.complete = this->previewCompilingSeconds <= 0.0;
     if (!preview.complete)
     {
-      preview.share = 0.0f;
+      preview.fraction = 0.0;
       do
       {
         this->now += 0.02;
@@ -123,6 +128,8 @@ public:
       this->compilingSeconds -= 0.02;
       stopped = interrupt && interrupt(0.0);
     }
+    const std::uint32_t added = this->last.samples - this->done;
+    const auto fraction = [&] { return (this->done + added * (1.0 - 0.25 * this->launchesLeft)) / this->last.samples; };
     while (this->launchesLeft > 0 && !stopped)
     {
       if (this->traceFails)
@@ -139,20 +146,19 @@ public:
         this->lost = true;
         throw rtg::Error("lost");
       }
-      this->now += 0.25 * this->secondsPerSample * this->last.samples;
+      this->now += 0.25 * this->secondsPerSample * added;
       --this->launchesLeft;
-      stopped = interrupt && interrupt(1.0 - 0.25 * this->launchesLeft);
+      stopped = interrupt && interrupt(fraction());
     }
     Image image;
     image.width = width;
     image.height = height;
     image.complete = this->launchesLeft == 0;
-    image.share = 1.0f - 0.25f * this->launchesLeft;
+    image.fraction = fraction();
     if (image.complete)
     {
-      this->rays += this->last.samples;
-      this->done += this->last.samples;
-      this->keeps = this->last.keepSums;
+      this->rays += added;
+      this->done += added;
     }
     image.samples = this->done;
     image.color = image.traced = this->pixels.data();
@@ -173,7 +179,6 @@ public:
 
 private:
   std::uint32_t done = 0, launchesLeft = 0;
-  bool keeps = false;
   std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(width * height, 7u);
   std::vector<std::uint32_t> previewPixels = std::vector<std::uint32_t>(width * height, 5u);
 };

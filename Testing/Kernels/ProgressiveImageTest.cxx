@@ -29,6 +29,12 @@ TEST_F(ProgressiveImageTest, AScriptGetsExactlyWhatItAsksFor)
   EXPECT_EQ(this->image.Samples(), 4u);
   EXPECT_EQ(this->source.last.plannedSamples, 4u);
   EXPECT_EQ(this->source.rays, 20.0);
+  // Also where a window planned as many, and has had more since.
+  this->view.sceneVersion = 1;
+  this->Finish(Window(4));
+  this->Finish(Window(8));
+  this->Update(Script(4));
+  EXPECT_EQ(this->image.Samples(), 4u);
 }
 
 TEST_F(ProgressiveImageTest, AScriptGrowsInSteps)
@@ -89,7 +95,7 @@ TEST_F(ProgressiveImageTest, MoreSamplesAreAddedToAFinishedImage)
 
 TEST_F(ProgressiveImageTest, FewerSamplesFinishAnImageThatHasThem)
 {
-  while (this->image.Samples() < 34)
+  while (this->image.Samples() < 34 || !this->image.GetImage().complete)
   {
     this->Update(Window(64));
   }

@@ -70,7 +70,7 @@ struct Line
     glyph.center = Vector(middle);
     glyph.size = Vector(glm::length(way), 2 * this->radii[i], 2 * this->radii[i + 1]);
     glyph.rotation = Vector4(turn.x, turn.y, turn.z, turn.w);
-    glyph.turned = true;
+    glyph.rotated = true;
     const auto end = [&](std::size_t beyond)
     { return Vector4(Vector(glm::conjugate(turn) * (this->points[beyond] - middle)), Real(this->radii[beyond])); };
     glyph.before = joined && i > 0 ? end(i - 1) : Vector4(0);
@@ -90,8 +90,8 @@ struct Line
       const int verdict = Kernel::EstimateGlyph(shape, ray, glyph, tMin, 100, low, high);
       ++this->asked;
       this->open += verdict == Kernel::unknown;
-      this->wrong += (hit && verdict == Kernel::missed) || (!hit && verdict == Kernel::met) || (hit && t < low) ||
-        (hit && verdict == Kernel::met && t > high);
+      this->wrong += (hit && verdict == Kernel::missed) || (!hit && verdict == Kernel::hit) || (hit && t < low) ||
+        (hit && verdict == Kernel::hit && t > high);
     }
   };
 

@@ -185,7 +185,7 @@ protected:
       one.motion.angularVelocities = { glm::vec3(3.0 * this->Vector()) };
       const double time = one.motion.Time(shutter);
       displacement = one.motion.Displacement(0, time);
-      turn = one.motion.Turn(0, time);
+      turn = one.motion.RotationAt(0, time);
       const glm::dvec4 before(one.rotations.empty() ? glm::vec4(0, 0, 0, 1) : one.rotations[0]);
       const glm::dquat after = turn * glm::dquat(before.w, before.x, before.y, before.z);
       there.rotations = { glm::vec4(after.x, after.y, after.z, after.w) };

@@ -36,7 +36,7 @@ struct Subject
     const TensorGlyph made = MakeTensorGlyph(Decompose(tensor), kind, 3.0);
     this->glyph.size = made.halfLengths;
     this->glyph.rotation = { made.rotation.x, made.rotation.y, made.rotation.z, made.rotation.w };
-    this->glyph.turned = true;
+    this->glyph.rotated = true;
     this->glyph.exponents = made.exponents;
     this->glyph.unitLength = 1.0;
   }

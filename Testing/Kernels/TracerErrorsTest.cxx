@@ -27,7 +27,7 @@ TEST_F(TracerTest, SetsThatAreNotThereAreNamed)
   refused([&] { this->scene.SetColors(77, {}); });
   refused([&] { this->scene.SetMaterial(77, {}); });
   refused([&] { this->scene.SetVisible(77, false); });
-  refused([&] { this->scene.GlyphCount(77); });
+  refused([&] { this->scene.InstancesOf(77); });
   refused([&] { this->scene.OriginalGlyph(77, 0); });
   this->scene.Remove(77);
   const auto id = this->AddSpheres(RandomPoints(50), 0.1f);
@@ -67,7 +67,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
     const std::string refusal = rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
     if (!refusal.empty())
     {
-      EXPECT_EQ(this->scene.GlyphCount(id), 0u);
+      EXPECT_EQ(this->scene.InstancesOf(id).Count(), 0u);
     }
     return refusal;
   };
@@ -220,7 +220,7 @@ TEST_F(TracerTest, AnotherScenesImageIsNotGoneOnWith)
     ASSERT_FALSE(image.complete);
     first.reset();
     const auto second = makeScene();
-    EXPECT_THROW(this->tracer->Resume(*second), rtg::Error);
+    EXPECT_THROW(this->tracer->Resume(*second, 1), rtg::Error);
   }
 }
 
@@ -228,7 +228,7 @@ TEST_F(TracerTest, AnotherScenesImageIsNotGoneOnWith)
 TEST_F(TracerTest, NothingIsGoneOnWithAfterAnImageWithoutPixels)
 {
   this->UseOwnTracer();
-  EXPECT_THROW(this->tracer->Resume(this->scene), rtg::Error);
+  EXPECT_THROW(this->tracer->Resume(this->scene, 1), rtg::Error);
   this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
   this->scene.Commit();
   const Image image = this->tracer->Trace(
@@ -236,5 +236,7 @@ TEST_F(TracerTest, NothingIsGoneOnWithAfterAnImageWithoutPixels)
   ASSERT_FALSE(image.complete);
   this->settings.width = 0;
   this->Trace();
-  EXPECT_THROW(this->tracer->Resume(this->scene), rtg::Error);
+  const Image none = this->tracer->Resume(this->scene, 1);
+  EXPECT_TRUE(none.complete);
+  EXPECT_EQ(none.color, nullptr);
 }

@@ -187,8 +187,7 @@ TEST_F(TracerTest, AnEdgeCoversThePixelAlsoOfManySamples)
   this->Trace();
   const double first = this->tracer->Means()[0].a;
   EXPECT_NEAR(first, edge, 1e-4);
-  this->settings.firstSample = half;
-  this->Trace();
+  this->tracer->Resume(this->scene, 2 * half);
   EXPECT_NEAR(2.0 * this->tracer->Means()[0].a - first, edge, 1e-4);
 }
 
@@ -479,12 +478,14 @@ TEST_P(StructureTest, EmptyThingsAreFine)
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
   const auto id = this->AddSpheres({}, 1.0f);
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
-  EXPECT_EQ(this->scene.GlyphCount(id), 0u);
+  EXPECT_EQ(this->scene.InstancesOf(id).Count(), 0u);
   this->settings.width = 0;
   EXPECT_EQ(this->Trace().color, nullptr);
-  this->settings.firstSample = 1;
-  EXPECT_EQ(this->Trace().samples, 2u) << "of no pixels more samples are as few";
-  this->settings.firstSample = 0;
+  this->settings.keepSums = true;
+  EXPECT_EQ(this->Trace().samples, 1u);
+  const Image none = this->tracer->Resume(this->scene, 2);
+  EXPECT_EQ(none.color, nullptr) << "of no pixels more samples are as few";
+  EXPECT_EQ(none.samples, 2u);
   this->settings.width = this->settings.height = 1;
   this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
   EXPECT_EQ(Coverage(this->Trace()), 1.0);

@@ -181,7 +181,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t before = vulkan.submissions;
     scene.Commit();
     seen.commit = vulkan.submissions - before;
-    scene.SetColors(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
+    scene.SetColors(last, std::vector<std::uint32_t>(scene.InstancesOf(last).Count(), 0xff4080c0u));
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recoloring = vulkan.submissions - between;
@@ -193,8 +193,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     wanted.features = wanted.keepSums = true;
     wanted.samples = 2;
     tracer.Trace(scene, this->camera, this->lights, wanted);
-    wanted.firstSample = 2;
-    const Image image = tracer.Trace(scene, this->camera, this->lights, wanted);
+    const Image image = tracer.Resume(scene, 4);
     const std::size_t pixels = 101 * 100;
     seen.colors.assign(image.color, image.color + pixels);
     seen.glyphs.assign(image.glyphIds, image.glyphIds + pixels);
@@ -310,14 +309,21 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
   // At first the interrupt ends the wait for the program.
   while (image.samples == 0)
   {
-    image = this->tracer->Resume(this->scene, stop);
+    image = this->tracer->Resume(this->scene, this->settings.samples, stop);
   }
   EXPECT_LE(image.samples, 32u);
   this->settings.paths = 64;
   EXPECT_EQ(trace(stop).samples, 1u);
 
-  // Of launches that turn out to be quick the next ones have more, step by step.
+  // Also where the image began without a callback.
   this->settings.paths = 1;
+  this->settings.samples = 1;
+  this->settings.keepSums = true;
+  trace({});
+  EXPECT_LE(this->tracer->Resume(this->scene, 1u << 20, stop).samples, 33u);
+  this->settings.keepSums = false;
+
+  // Of launches that turn out to be quick the next ones have more, step by step.
   this->settings.samples = 5000;
   std::vector<double> steps;
   double before = 0.0;
