@@ -152,6 +152,15 @@ TEST_F(ScreenEffectsTest, LinesWithinAGlyph)
   EXPECT_NEAR(lineAt([](double x, double) { return Seen{ x < 0.0 ? 4.0 : 4.2, 0 }; }), 2.0, 0.5);
   EXPECT_NEAR(lineAt([](double x, double) { return Seen{ 4.0 + std::abs(x), 0 }; }), 2.0, 0.5);
   EXPECT_EQ(lineAt([](double x, double) { return Seen{ 4.0 + 0.17 * std::abs(x), 0 }; }), 0.0);
+  // A roof of 90 degrees in every fourth row, and one that moves.
+  EXPECT_EQ(lineAt(
+              [](double x, double y) {
+                return Seen{ 4.0 + (std::lround(100.0 * y + 15.5) % 4 == 0 ? std::abs(x) : 0.0), 0 };
+              }),
+    0.0);
+  this->sets.pathLength = [](std::uint32_t, std::uint32_t) { return 1e-4; };
+  EXPECT_EQ(lineAt([](double x, double) { return Seen{ 4.0 + std::abs(x), 0 }; }), 0.0);
+  this->sets = {};
   // The same roof of 20 degrees where it is seen at a flat angle.
   EXPECT_EQ(lineAt([](double x, double y) { return Seen{ 4.0 + 1.5 * std::abs(x) + 8.0 * y, 0 }; }), 0.0);
 }
