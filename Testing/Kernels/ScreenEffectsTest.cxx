@@ -152,12 +152,18 @@ TEST_F(ScreenEffectsTest, LinesWithinAGlyph)
   EXPECT_NEAR(lineAt([](double x, double) { return Seen{ x < 0.0 ? 4.0 : 4.2, 0 }; }), 2.0, 0.5);
   EXPECT_NEAR(lineAt([](double x, double) { return Seen{ 4.0 + std::abs(x), 0 }; }), 2.0, 0.5);
   EXPECT_EQ(lineAt([](double x, double) { return Seen{ 4.0 + 0.17 * std::abs(x), 0 }; }), 0.0);
-  // A roof of 90 degrees in every fourth row, and one that moves.
-  EXPECT_EQ(lineAt(
-              [](double x, double y) {
-                return Seen{ 4.0 + (std::lround(100.0 * y + 15.5) % 4 == 0 ? std::abs(x) : 0.0), 0 };
-              }),
-    0.0);
+  // A low roof of 90 degrees, one in every fourth row only, and one that moves.
+  for (const int rowsApart : { 1, 4 })
+  {
+    const double found = lineAt(
+      [rowsApart](double x, double y)
+      {
+        const bool roof = std::lround(100.0 * y + 15.5) % rowsApart == 0;
+        return Seen{ 4.0 - (roof ? std::max(0.035 - std::abs(x), 0.0) : 0.0), 0 };
+      });
+    EXPECT_EQ(found > 1.0, rowsApart == 1) << found;
+    EXPECT_EQ(found == 0.0, rowsApart > 1) << found;
+  }
   this->sets.pathLength = [](std::uint32_t, std::uint32_t) { return 1e-4; };
   EXPECT_EQ(lineAt([](double x, double) { return Seen{ 4.0 + std::abs(x), 0 }; }), 0.0);
   this->sets = {};
