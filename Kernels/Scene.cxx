@@ -252,7 +252,9 @@ PlacedGlyphs Scene::State::Withdraw(GlyphSet& set)
 
 void Scene::State::DropTopLevels()
 {
-  this->records = SceneRecords{ .origin = this->records.origin };
+  SceneRecords none;
+  none.origin = this->records.origin;
+  this->records = std::move(none);
   this->topLevelChanged = true;
 }
 
