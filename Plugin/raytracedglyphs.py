@@ -112,19 +112,25 @@ def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1
         setattr(display, "GlyphType" if isType else "GlyphShape", kind)
     if isNew:
         # ParaView renders when a camera is reset.
+        _Assign(display, properties)
         display.RenderingQuality, display.SamplesPerPixel = "Fast", 1
         _LookFromAbove(view)
     display.RenderingQuality = quality
     display.AmbientColor = display.DiffuseColor = [0.42, 0.60, 0.78]  # white would be lost on white
-    for name, value in properties.items():
-        owner, _, last = name.rpartition(".")
-        setattr(getattr(display, owner) if owner else display, last, value)
+    _Assign(display, properties)
     if colors is None and kind not in others and not (isType and display.GlyphDirectionColoring == "None"):
         colors = ""
     _Color(source, display, view, colors, logarithmic)
     if fileName:
         pv.SaveScreenshot(fileName, view, ImageResolution=list(size))
     return display
+
+
+def _Assign(display, properties):
+    """Sets properties of a display, and of those of its properties that are proxies."""
+    for name, value in properties.items():
+        owner, _, last = name.rpartition(".")
+        setattr(getattr(display, owner) if owner else display, last, value)
 
 
 def _LookFromAbove(view):

@@ -167,6 +167,10 @@ def flat(checks):
     checks.within("share of the width that a figure fills", float((160 - columns[::-1].argmax() - columns.argmax()) / 160.0), 0.88, 0.99)
     checks.true("a figure's glyphs are gray", (picture.max(axis=2) - picture.min(axis=2)).max() > 40)
     pv.Delete(pv.GetActiveView())
+    tensors = session.source(session.poly_data(numpy.eye(3), tensor=numpy.tile(numpy.eye(3).ravel(), (3, 1))))
+    told = session.messages(lambda: raytracedglyphs.Figure(tensors, "Tensor Ellipsoid", quality="Fast", GlyphTensorArray="tensor"))
+    checks.no_message("a figure of tensors", told)
+    pv.Delete(pv.GetActiveView())
 
 
 def recipe(name, page, checks):
