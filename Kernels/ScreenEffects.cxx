@@ -30,6 +30,9 @@ constexpr float smallest = 8.0f, large = 24.0f;
 // samples at pixels' centers would leave dots.
 constexpr double sharpBlur = 1.0, widestBlur = 3.0;
 
+// Sides of pixels with an inner line, in five by five pixels; fewer would be dots.
+constexpr int leastInnerSides = 4;
+
 // A side of two pixels: without a line, at the edge of a glyph, or at a step or crease within one.
 enum class Line : char
 {
@@ -62,13 +65,17 @@ public:
     {
       return false;
     }
-    if (this->image_.glyphIds[a] == this->image_.glyphIds[b] || this->KindOf(a) == OutlinedSets::Kind::Surface)
+    if (this->image_.glyphIds[a] == this->image_.glyphIds[b])
     {
       return true;
     }
+    const OutlinedSets::Kind kind = this->KindOf(a);
+    if (kind != OutlinedSets::Kind::Tubes)
+    {
+      return kind == OutlinedSets::Kind::Surface;
+    }
     const std::uint32_t first = this->PieceOf(a).number, second = this->PieceOf(b).number;
-    return this->KindOf(a) == OutlinedSets::Kind::Tubes &&
-      std::max(first, second) - std::min(first, second) <= nearestPieces;
+    return std::max(first, second) - std::min(first, second) <= nearestPieces;
   }
   // What the pixel shows a part of.
   std::uint64_t KeyOf(std::size_t at) const
@@ -114,10 +121,15 @@ public:
       return Line::Outline;
     }
     // The depths of what moves are those of several moments.
-    if (!hit || this->PathLength(this->At(x, y)) > 0.0)
-    {
-      return Line::None;
-    }
+    const bool inner = hit && this->HasStepOrCrease(x, y, dx, dy) && this->PathLength(this->At(x, y)) == 0.0;
+    return inner ? Line::Inner : Line::None;
+  }
+
+private:
+  // Whether the surface has a step or a crease between the two pixels, which show the same one.
+  bool HasStepOrCrease(int x, int y, int dx, int dy) const
+  {
+    const int nextX = x + dx, nextY = y + dy;
     // Slopes before, between and behind, in pixels of depth a pixel.
     const double here = this->ViewDepth(x, y), next = this->ViewDepth(nextX, nextY);
     const double pixel = this->PixelSize(std::min(here, next));
@@ -125,14 +137,14 @@ public:
     const std::optional<double> behind = this->Slope(nextX, nextY, dx, dy, pixel);
     if (!before || !behind)
     {
-      return Line::None;
+      return false;
     }
     const double between = (next - here) / pixel;
     const double step =
       leastStep + std::max(this->Steepness(x, y, dy, dx, pixel), this->Steepness(nextX, nextY, dy, dx, pixel));
     if (between > std::max(*before, *behind) + step || between < std::min(*before, *behind) - step)
     {
-      return Line::Inner;
+      return true;
     }
     // The edge may lie in a pixel that both pairs have: the first one, which does not bend, has no line.
     const double across = this->MeanSlope(x - dx, y - dy, dy, dx, pixel),
@@ -140,16 +152,14 @@ public:
     const double turn = Turn(*before, across, *behind, nextAcross);
     if (turn < glm::radians(creaseAngle) || Turn(*before, across, between, across) < 0.1 * turn)
     {
-      return Line::None;
+      return false;
     }
     const std::optional<double> first = this->Slope(x - 2 * dx, y - 2 * dy, dx, dy, pixel);
     const std::optional<double> last = this->Slope(nextX + dx, nextY + dy, dx, dy, pixel);
-    const bool sharp = first && last &&
+    return first && last &&
       std::max(Turn(*first, across, *before, across), Turn(*behind, nextAcross, *last, nextAcross)) < flatness * turn;
-    return sharp ? Line::Inner : Line::None;
   }
 
-private:
   bool Inside(int x, int y) const
   {
     return x >= 0 && y >= 0 && x < static_cast<int>(this->image_.width) && y < static_cast<int>(this->image_.height);
@@ -237,7 +247,6 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
         }
       }
     });
-  // Inner lines that are found in less than three of five pixels along them would be dotted.
   ParallelFor(image.height,
     [&](std::size_t row)
     {
@@ -257,8 +266,8 @@ Lines FindLines(const ScreenEffects& effects, const Image& image, const Surface&
             }
           }
         }
-        lines.right[i] = right[i] == Line::Outline || (right[i] == Line::Inner && near > 3);
-        lines.above[i] = above[i] == Line::Outline || (above[i] == Line::Inner && near > 3);
+        lines.right[i] = right[i] == Line::Outline || (right[i] == Line::Inner && near >= leastInnerSides);
+        lines.above[i] = above[i] == Line::Outline || (above[i] == Line::Inner && near >= leastInnerSides);
       }
     });
 

@@ -53,7 +53,7 @@ public:
   {
     if (!this->Images.Device || this->Images.Device->Lost())
     {
-      this->Images.DropScene();
+      this->Images.Scene.reset();
       this->Images.Resources.reset();
       for (auto& [place, entry] : this->Images.Entries)
       {
@@ -79,7 +79,7 @@ public:
     catch (...)
     {
       // A partial upload must not be taken for a complete one.
-      this->Images.DropScene();
+      this->Images.Scene.reset();
       throw;
     }
     const bool kept = this->Own.Tracer && this->Own.SceneNumber == this->Images.SceneNumber;
@@ -289,15 +289,9 @@ const rtg::Image* rtglyphs::RayTracedImages::Update(
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedImages::DropScene()
-{
-  this->Scene.reset();
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::RayTracedImages::DropImages()
 {
-  this->DropScene();
+  this->Scene.reset();
   this->Entries.clear();
 }
 

@@ -126,7 +126,6 @@ public:
 
 private:
   class Source;
-  void DropScene();
 
   const Commit CommitTo;
   std::shared_ptr<rtg::Device> Device;
