@@ -74,7 +74,9 @@ Classify(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, const bool
   if (changes ? window.unique && !narrow : empty)
   {
     // Newton's point where that is certain not to pass the crossing, else the secant's
-    real secant = width * clamp(a.f / (a.f - b.f), real(0.0625), real(0.9375));
+    real least = real(RTG_TINY); // both values may be zero
+    real fraction = (abs(a.f) + least) / (abs(a.f) + abs(b.f) + real(2.0) * least);
+    real secant = width * clamp(fraction, real(0.0625), real(0.9375));
     next = window.convex && left > real(0.0) && left < width ? left : secant;
     return changes ? RTG_UNIQUE : RTG_EMPTY;
   }
@@ -199,24 +201,35 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
 // `sign` is positive. `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative
 // is known, or, where that leaves the bracket or stalls, bisection's. Else the least of f is searched by its slopes,
 // which change their sign once. False: there is none. Where it is wanted, the gradient is that at the zero: one more
-// evaluation.
+// evaluation. With `changes` f may rise only where the window has two extrema: then the part before is searched for its
+// least, too.
 RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real high, const real sign, const bool changes,
   const bool wantsGradient, RTG_OUT(LocalRay) at, RTG_OUT(real3) gradient)
 {
   bool root = changes;
+  bool mayRise = changes;
+  bool searchesPart = false;
+  real end = high; // of the bracket while a part is searched
   bool more = true;
   bool settled = false;
   real slopeLow = real(0.0);
   real slopeHigh = real(0.0);
   at = ray;
   gradient = real3(real(0.0));
-  for (int i = 0; i < 48 && more; ++i)
+  for (int i = 0; i < 64 && more; ++i)
   {
     ImplicitPoint point = PointAt(field, at);
     gradient = point.gradient;
     real f = sign * (point.value.hi + point.value.lo);
     real slope = sign * point.slope;
     real second = sign * point.second;
+    if (mayRise && !settled && f > real(0.0) && slope > real(0.0))
+    {
+      mayRise = false;
+      searchesPart = true;
+      root = false;
+      end = high;
+    }
     root = root || f <= real(0.0);
     real step = real(0.0);
     if (settled)
@@ -258,9 +271,19 @@ RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real hig
       real fraction = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
         ? max(real(0.02), min(real(0.98), slopeLow / (slopeLow - slopeHigh)))
         : real(0.5);
+      if (!more && searchesPart)
+      {
+        more = true;
+        searchesPart = false;
+        root = true;
+        fraction = real(0.5);
+        low = high;
+        high = end;
+      }
       step = more ? low + fraction * (high - low) : real(0.0);
     }
     at = Advance(at, step);
+    end -= step;
     low -= step;
     high -= step;
   }

@@ -1,5 +1,7 @@
 // What an image of each kind of scene costs: one set of glyphs, several, surfaces beside them, translucent and cut
-// ones. Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
+// ones. Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV] [NAME...]
+//
+// NAME...: only the scenes whose names begin so.
 //
 // Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
 // shading, depth and ids, the median of the repetitions, which are taken in turns over the scenes, the cost beside that
@@ -387,11 +389,16 @@ try
   const auto crowd = [](const Crowd& of) { return Part{ benchmark::MakeInstances(of, glyphs) }; };
   const Part packed{ Spheres(glyphs, 1.2f) };
 
+  const std::vector<std::string> names(argv + std::min(argc, 4), argv + argc);
   std::vector<std::unique_ptr<Subject>> subjects;
   const auto add = [&](const std::string& name, std::vector<Part> parts, const Subject* uncut = nullptr)
   {
-    subjects.push_back(std::make_unique<Subject>(name, std::move(parts), uncut));
-    return subjects.back().get();
+    if (names.empty() || std::ranges::any_of(names, [&](const std::string& begin) { return name.starts_with(begin); }))
+    {
+      subjects.push_back(std::make_unique<Subject>(name, std::move(parts), uncut));
+      return subjects.back().get();
+    }
+    return static_cast<Subject*>(nullptr);
   };
   // Also cut
   const auto addCuts = [&](const std::string& name, const rtg::GlyphInstances& instances)

@@ -149,6 +149,22 @@ TEST(NestedRaysTest, AShallowEntryAlongAFaceCounts)
     { -1.4274462407395099, 0.88639314695761229, 1.0070471923273718 }, { 0.887465835f, -0.0745470226f, -0.45480451f });
 }
 
+/// The signs of f differ at the ends of a window where plain arithmetic has f = 0 at both: its crossing counts.
+TEST(NestedRaysTest, AWindowBetweenZerosOfPlainArithmeticHasItsCrossing)
+{
+  ExpectHitOfNested({ -0.00838106032f, 0.122956738f, -0.484573424f }, { 0.881117225f, 0.517911255f, 0.551478386f },
+    { 0.893588066f, 0.257132858f, 0.0350464359f, 0.366271436f }, { 0.00999999978f, 5, 2 },
+    { 0.27841967019916503, 1.8720543466201187, -0.71509787003738801 }, { -0.202940956f, -0.978777707f, 0.0284457803f });
+}
+
+/// Three crossings within rounding of plain arithmetic, in a window that is taken for one with one extremum.
+TEST(NestedRaysTest, TheFirstOfThreeCrossingsCounts)
+{
+  ExpectHitOfNested({ 0.193328142f, -0.252853274f, -0.385602713f }, { 0.383690715f, 0.81610769f, 0.476153105f },
+    { 0.142854542f, -0.339742631f, -0.121299252f, 0.921658278f }, { 0.00999999978f, 5, 2 },
+    { -0.24141432350288855, -2.0068608790703024, -0.74990142771130941 }, { 0.199889481f, 0.951443493f, 0.234092772f });
+}
+
 /// Polynomials: in float, which is what their windows' width and noise are made for.
 INSTANTIATE_TEST_SUITE_P(Polynomials, NestedNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 
