@@ -1,5 +1,7 @@
 #include "System.h"
 
+#include <cstdlib>
+
 #ifdef _WIN32
 #ifndef NOMINMAX
 #define NOMINMAX
@@ -19,6 +21,15 @@ void LowerPriority()
 #elif defined(__linux__)
   // Elsewhere it would be that of the process.
   ::setpriority(PRIO_PROCESS, 0, 19);
+#endif
+}
+
+void SetEnvironment(const char* name, const char* value)
+{
+#ifdef _WIN32
+  ::_putenv_s(name, value ? value : "");
+#else
+  value ? ::setenv(name, value, 1) : ::unsetenv(name);
 #endif
 }
 

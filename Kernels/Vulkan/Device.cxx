@@ -1,6 +1,8 @@
 #include "DeviceState.h"
 #include "ProgramLibrary.h"
 
+#include "../System.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -219,16 +221,16 @@ vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
   return vk::raii::Device(physical, info);
 }
 
-// The driver's description names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
-bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
+// LLVM 21 may compile a shader wrongly for AVX-512 (Testing/Drivers/README.md). The driver's description names the
+// compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
+bool MiscompilesAvx512(const vk::raii::PhysicalDevice& physical)
 {
-  constexpr int firstVersion = 21;
   const auto properties = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
   const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
   int version = 0;
   const char* compiler = std::strstr(driver.driverInfo, "LLVM ");
   return driver.driverID == vk::DriverId::eMesaLlvmpipe && compiler &&
-    std::sscanf(compiler, "LLVM %d", &version) == 1 && version >= firstVersion;
+    std::sscanf(compiler, "LLVM %d", &version) == 1 && version == 21;
 }
 
 // Runs `work`; throws failures of Vulkan's loader and drivers as rtg::Error.
@@ -269,20 +271,35 @@ void Device::Choose()
   State& state = *this->state_;
   const vk::ApplicationInfo application("RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
   std::vector<vk::raii::PhysicalDevice> devices;
-  try
+  const auto enumerate = [&]
   {
-    state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
-    devices = vk::raii::PhysicalDevices(state.instance);
-  }
-  catch (const vk::SystemError& error)
-  {
-    // Without any driver, which ChooseDevice says.
-    if (error.code() != vk::Result::eErrorIncompatibleDriver && error.code() != vk::Result::eErrorInitializationFailed)
+    devices.clear();
+    state.instance = nullptr;
+    try
     {
-      throw;
+      state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
+      devices = vk::raii::PhysicalDevices(state.instance);
     }
+    catch (const vk::SystemError& error)
+    {
+      // Without any driver, which ChooseDevice says.
+      if (error.code() != vk::Result::eErrorIncompatibleDriver &&
+        error.code() != vk::Result::eErrorInitializationFailed)
+      {
+        throw;
+      }
+    }
+    return ChooseDevice(devices);
+  };
+  std::size_t chosen = enumerate();
+  constexpr const char* capabilities = "GALLIUM_OVERRIDE_CPU_CAPS";
+  if (MiscompilesAvx512(devices[chosen]) && !std::getenv(capabilities))
+  {
+    // The driver is loaded anew, and reads it then: no AVX-512, but AVX2 all the same.
+    SetEnvironment(capabilities, "avx");
+    chosen = enumerate();
+    SetEnvironment(capabilities, nullptr);
   }
-  const std::size_t chosen = ChooseDevice(devices);
   state.physical = std::move(devices[chosen]);
   state.name = DeviceName(state.physical);
   state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
@@ -294,7 +311,6 @@ void Device::Start()
   state.sharesMemory = state.cpu;
   state.queueFamily = ChooseQueueFamily(state.physical);
   state.rayQueries = HasRayQueries(state.physical);
-  state.miscompilesTrees = MiscompilesTrees(state.physical);
   using Stage = vk::PipelineStageFlagBits;
   state.programStages = Stage::eComputeShader;
   if (state.rayQueries)
@@ -378,7 +394,7 @@ bool Device::IsCpu() const
 
 bool Device::PrefersTrees() const
 {
-  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->rayQueries;
+  return this->state_->cpu || !this->state_->rayQueries;
 }
 
 bool Device::Lost() const

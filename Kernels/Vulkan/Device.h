@@ -31,8 +31,7 @@ public:
   ~Device();
   std::string Name() const;
   bool IsCpu() const;
-  /// Whether scenes are better walked by programs of ours than by the driver: on a CPU, unless its driver compiles them
-  /// wrongly, and on a GPU without hardware for it.
+  /// Whether the plugin's BVH is faster than the driver's: on a CPU, and on a GPU without ray-tracing hardware.
   bool PrefersTrees() const;
   bool Lost() const;
   /// Device memory that all buffers of the process hold.

@@ -53,10 +53,6 @@ struct Device::State
   /// driver that emulates it, as NVIDIA's does, has ray-tracing pipelines, but no ray queries
   /// (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
   bool rayQueries = false;
-  /// Mesa's lavapipe with LLVM 21 and later: of the programs that traverse the plugin's BVH, which are the longest
-  /// ones, it compiles some wrongly. Which ones changes with every line of them; NormalsTest and the tests of pictures
-  /// see it.
-  bool miscompilesTrees = false;
   vk::PipelineStageFlags programStages; ///< in which programs run and structures are built
   std::atomic<bool> lost{ false };
 

@@ -4,7 +4,7 @@
  * LLVM_LIBRARY  the driver's library of LLVM (ldd libvulkan_lvp.so), default libLLVM.so.21.1
  * LLVM_DUMP     folder for the bitcode before each call, 0.bc, 1.bc, ...
  * LLVM_PASSES   passes in place of the driver's, but for those of -O0, which it needs for coroutines
- * LLVM_OPTION   one option, such as -instcombine-code-sinking=0
+ * LLVM_OPTIONS  options with spaces between them, such as -regalloc=basic -verify-machineinstrs
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -24,12 +24,18 @@ void* LLVMRunPasses(void* module, const char* passes, void* machine, void* optio
   void* (*run)(void*, const char*, void*, void*) = Symbol("LLVMRunPasses");
   static atomic_int calls;
   const int call = atomic_fetch_add(&calls, 1);
-  const char *dump = getenv("LLVM_DUMP"), *option = getenv("LLVM_OPTION"), *other = getenv("LLVM_PASSES");
-  if (option && call == 0)
+  const char *dump = getenv("LLVM_DUMP"), *wanted = getenv("LLVM_OPTIONS"), *other = getenv("LLVM_PASSES");
+  if (wanted && call == 0)
   {
     void (*parse)(int, const char**, const char*) = Symbol("LLVMParseCommandLineOptions");
-    const char* arguments[] = { "driver", option };
-    parse(2, arguments, "");
+    const char* arguments[64] = { "driver" };
+    int count = 1;
+    char *words = strdup(wanted), *rest;
+    for (char* word = strtok_r(words, " ", &rest); word && count < 64; word = strtok_r(0, " ", &rest))
+    {
+      arguments[count++] = word;
+    }
+    parse(count, arguments, "");
   }
   if (dump)
   {

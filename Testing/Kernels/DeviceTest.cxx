@@ -56,16 +56,12 @@ TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
 {
   const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   rtg::Device::State& state = device->GetState();
-  state.cpu = true;
-  for (const bool miscompiles : { false, true })
-  {
-    state.miscompilesTrees = miscompiles;
-    EXPECT_EQ(device->PrefersTrees(), !miscompiles);
-  }
-  state.cpu = false;
   for (const bool queries : { false, true })
   {
     state.rayQueries = queries;
+    state.cpu = true;
+    EXPECT_TRUE(device->PrefersTrees());
+    state.cpu = false;
     EXPECT_EQ(device->PrefersTrees(), !queries);
   }
 }

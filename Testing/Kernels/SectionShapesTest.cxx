@@ -278,10 +278,6 @@ protected:
 TEST_P(SectionShapesTest, AreCutExactly)
 {
   const HardCase hard = Cases(this->GetParam(), 2, 200).Case("turned");
-  if (hard.instances.shape == Shape::NestedSuperquadric && this->device->GetState().miscompilesTrees)
-  {
-    GTEST_SKIP() << "LLVM 21 compiles cuts of concave nested superquadrics wrongly";
-  }
   for (const bool moves : { false, true })
   {
     this->Judge(hard, 0, moves);

@@ -45,12 +45,7 @@ Tracer& SharedTracer()
 
 std::string WhatLacksFor(Structure structure)
 {
-  const auto device = Device::Shared();
-  if (structure == Structure::Tree && device->GetState().miscompilesTrees)
-  {
-    return "a compiler that gets programs of own trees right: it is LLVM 21 or later";
-  }
-  return structure == Structure::Tree || device->GetState().rayQueries ? "" : "VK_KHR_ray_query";
+  return structure == Structure::Tree || Device::Shared()->GetState().rayQueries ? "" : "VK_KHR_ray_query";
 }
 
 } // namespace rtg::testing

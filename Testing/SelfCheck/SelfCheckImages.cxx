@@ -1,5 +1,5 @@
 // Images that are the same to the bit on every machine: each shape in each shading mode, still and moving.
-// Usage: SelfCheckImages FOLDER
+// Usage: SelfCheckImages FOLDER [SHAPE...]      (all shapes, or those)
 //
 // Each file has the pixels of one image: the sums' means in float before any tone mapping, display colors, depths, ids,
 // normals, albedos and view depths, in the machine's byte order. run.sh prints their SHA-256.
@@ -13,6 +13,7 @@
 #include "../Benchmarks/Crowds.h"
 #include "../Kernels/BoxMesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -151,7 +152,7 @@ void WriteImage(const rtg::Image& image, const std::vector<glm::vec4>& means, co
   }
 }
 
-void WriteImages(const std::string& folder)
+void WriteImages(const std::string& folder, const std::vector<std::string>& shapes)
 {
   const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   rtg::Tracer tracer(device);
@@ -160,6 +161,10 @@ void WriteImages(const std::string& folder)
   lamp.position = { 90.0, 120.0, 150.0 };
   for (const Subject& subject : subjects)
   {
+    if (!shapes.empty() && std::ranges::find(shapes, subject.name) == shapes.end())
+    {
+      continue;
+    }
     for (const bool moves : { false, true })
     {
       rtg::Scene scene(device);
@@ -196,14 +201,14 @@ void WriteImages(const std::string& folder)
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
+  if (argc < 2)
   {
-    std::fprintf(stderr, "usage: SelfCheckImages FOLDER\n");
+    std::fprintf(stderr, "usage: SelfCheckImages FOLDER [SHAPE...]\n");
     return 2;
   }
   try
   {
-    WriteImages(argv[1]);
+    WriteImages(argv[1], { argv + 2, argv + argc });
     return 0;
   }
   catch (const std::exception& error)
