@@ -27,9 +27,9 @@ void LowerPriority()
 void SetEnvironment(const char* name, const char* value)
 {
 #ifdef _WIN32
-  ::_putenv_s(name, value ? value : "");
+  ::_putenv_s(name, value);
 #else
-  value ? ::setenv(name, value, 1) : ::unsetenv(name);
+  ::setenv(name, value, 1);
 #endif
 }
 

@@ -251,6 +251,9 @@ void StartingVulkan(Work&& work)
   }
 }
 
+// Vulkan's loader looks a device up in lists that instances and devices of other threads leave meanwhile.
+std::mutex loaderMutex;
+
 } // namespace
 
 Device::Device() = default;
@@ -298,7 +301,6 @@ void Device::Choose()
     // The driver is loaded anew, and reads it then: no AVX-512, but AVX2 all the same.
     SetEnvironment(capabilities, "avx");
     chosen = enumerate();
-    SetEnvironment(capabilities, nullptr);
   }
   state.physical = std::move(devices[chosen]);
   state.name = DeviceName(state.physical);
@@ -346,7 +348,15 @@ void Device::Start()
   }
 }
 
-Device::~Device() = default;
+Device::~Device()
+{
+  if (this->state_)
+  {
+    this->state_->programs.reset(); // what is being compiled makes devices, too
+  }
+  const std::lock_guard<std::mutex> lock(loaderMutex);
+  this->state_.reset();
+}
 
 std::shared_ptr<Device> Device::Shared()
 {
@@ -369,6 +379,7 @@ std::shared_ptr<Device> Device::Another()
   StartingVulkan(
     [&]()
     {
+      const std::lock_guard<std::mutex> lock(loaderMutex);
       device->Choose();
       device->Start();
     });
@@ -378,7 +389,12 @@ std::shared_ptr<Device> Device::Another()
 Device::Choice Device::Chosen()
 {
   Device looked;
-  StartingVulkan([&]() { looked.Choose(); });
+  StartingVulkan(
+    [&]()
+    {
+      const std::lock_guard<std::mutex> lock(loaderMutex);
+      looked.Choose();
+    });
   return { looked.Name(), looked.IsCpu() };
 }
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <thread>
+#include <vector>
 
 using rtg::testing::Variable;
 
@@ -50,6 +52,27 @@ TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
   }
   const Variable own("RTGLYPHS_DEVICE", number.c_str());
   EXPECT_EQ(rtg::Device::Shared()->Name(), name);
+}
+
+/// As when several programs are compiled at once.
+TEST(DeviceTest, DevicesComeAndGoInSeveralThreads)
+{
+  std::vector<std::thread> threads(8);
+  for (std::thread& thread : threads)
+  {
+    thread = std::thread(
+      []
+      {
+        for (int i = 0; i < 50; ++i)
+        {
+          EXPECT_NO_THROW(rtg::Device::Another());
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
 }
 
 TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
