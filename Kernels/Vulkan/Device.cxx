@@ -233,12 +233,16 @@ bool MiscompilesAvx512(const vk::raii::PhysicalDevice& physical)
     std::sscanf(compiler, "LLVM %d", &version) == 1 && version == 21;
 }
 
-// Runs `work`; throws failures of Vulkan's loader and drivers as rtg::Error.
+// Vulkan's loader looks a device up in lists that instances and devices of other threads leave meanwhile.
+std::mutex loaderMutex;
+
+// Runs `work`, one at a time; throws failures of Vulkan's loader and drivers as rtg::Error.
 template <class Work>
 void StartingVulkan(Work&& work)
 {
   try
   {
+    const std::lock_guard<std::mutex> lock(loaderMutex);
     work();
   }
   catch (const Error&)
@@ -250,9 +254,6 @@ void StartingVulkan(Work&& work)
     throw Error(std::string("Ray Traced Glyphs: Vulkan cannot be started (") + error.what() + "). " + remedy);
   }
 }
-
-// Vulkan's loader looks a device up in lists that instances and devices of other threads leave meanwhile.
-std::mutex loaderMutex;
 
 } // namespace
 
@@ -379,7 +380,6 @@ std::shared_ptr<Device> Device::Another()
   StartingVulkan(
     [&]()
     {
-      const std::lock_guard<std::mutex> lock(loaderMutex);
       device->Choose();
       device->Start();
     });
@@ -389,12 +389,7 @@ std::shared_ptr<Device> Device::Another()
 Device::Choice Device::Chosen()
 {
   Device looked;
-  StartingVulkan(
-    [&]()
-    {
-      const std::lock_guard<std::mutex> lock(loaderMutex);
-      looked.Choose();
-    });
+  StartingVulkan([&]() { looked.Choose(); });
   return { looked.Name(), looked.IsCpu() };
 }
 
