@@ -61,7 +61,12 @@ paraview_plugin_build(
   TARGET_COMPONENT plugin
   INSTALL_HEADERS OFF
   PLUGINS ${rtglyphs_plugins})
-install(FILES LICENSE README.md Plugin/CHANGES.md Plugin/LIMITS.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT plugin)
+# Documents that users read, in the folders in which they refer to each other.
+foreach (document LICENSE README.md Data/RECIPES.md Plugin/CHANGES.md Plugin/LIMITS.md Representation/FEATURES.md
+    Representation/PROPERTIES.md Representation/README.md)
+  cmake_path(GET document PARENT_PATH folder)
+  install(FILES ${document} DESTINATION "${CMAKE_INSTALL_DOCDIR}/${folder}" COMPONENT plugin)
+endforeach ()
 add_custom_target(uninstall
   COMMAND "${CMAKE_COMMAND}" "-DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest_plugin.txt"
     -P "${CMAKE_CURRENT_LIST_DIR}/Uninstall.cmake"

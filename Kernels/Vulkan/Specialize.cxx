@@ -179,7 +179,7 @@ std::vector<std::uint32_t> Specialize(const programs::Code& code, const Constant
   std::vector<std::uint32_t> words = WithoutUncalled(code, constants);
   if (!optimizer.Run(words.data(), words.size(), &words, options))
   {
-    throw Error("SPIRV-Tools cannot specialize a program of the renderer: " + messages +
+    throw Error("SPIRV-Tools cannot specialize a shader: " + messages +
       ". Build the plugin with another version of SPIRV-Tools.");
   }
   DecorateArithmetic(words);

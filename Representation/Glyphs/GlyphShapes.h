@@ -42,7 +42,7 @@ struct GlyphShapes
   /// Whose axes are eigenvectors of a tensor.
   static bool IsTensor(int shape) { return shape >= TENSOR_ELLIPSOID && shape <= SIGNED_TENSOR_SUPERQUADRIC; }
 
-  /// Glyphs of direction.
+  /// Spherical functions.
   static bool IsPolynomial(int shape) { return shape >= SPHERICAL_HARMONICS && shape <= FOURTH_ORDER_TENSOR; }
 
   /// Whose surfaces GlyphTensorColoring colors.

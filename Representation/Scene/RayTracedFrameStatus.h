@@ -43,7 +43,7 @@ public:
   /**
    * The work that an unfinished frame waits for.
    */
-  static const char* NameOfStep(bool compiling) { return compiling ? "Compiling Programs" : "Ray Tracing"; }
+  static const char* NameOfStep(bool compiling) { return compiling ? "Compiling Shaders" : "Ray Tracing"; }
 
   ///@{
   /**

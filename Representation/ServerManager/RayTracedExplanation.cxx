@@ -75,8 +75,8 @@ void ExplainAngles(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
   }
   if (!angles.empty())
   {
-    sentences.push_back(
-      "Angles and components along circles are no directions: a Calculator makes vectors of " + angles);
+    sentences.push_back("Not used as directions: " + angles +
+      " (angles or cylindrical components); the filter Calculator makes vectors of them");
   }
 }
 
@@ -112,7 +112,7 @@ void ExplainPeriods(vtkSMProxy* display, std::vector<std::string>& sentences)
   }
   else if (periodic && !isSet("PeriodicVectors") && !HasPeriodicBox(display))
   {
-    sentences.emplace_back("Periodic box by the bounds of the points: the data have none; PeriodicVectors sets it");
+    sentences.emplace_back("The periodic box is that of the points' bounds, as the data have none; PeriodicVectors sets another");
   }
 }
 }
@@ -166,7 +166,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   if (number("ScaleFactorFromData") != 0.0 && limited > 0.0)
   {
     sentences.push_back(
-      "About " + Percent(limited) + " of the glyphs are drawn smaller than in proportion, all of one size");
+      "About " + Percent(limited) + " of the glyphs would be too large and are drawn in one size");
   }
   if (shape == 0 && number("UseGlyphTable") != 0.0 && List::Named(glyphs, "GlyphTableIndexArray").empty())
   {
@@ -174,7 +174,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   }
   if (tensors && coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS && !Shapes::IsPolynomial(shape))
   {
-    sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for glyphs of direction");
+    sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for Spherical Harmonics, Normal Stress and Fourth-Order Tensor");
   }
   vtkSMProxy* type = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
   const bool ball = shape == 0 && type && strcmp(type->GetXMLName(), "SphereSource") == 0 &&

@@ -1,7 +1,7 @@
 // Prints the error of every shape's kernel on the hard cases, and how fast superquadrics are and formulas for spheres.
 // Usage: ShapeErrorTable [file.csv]            (the CSV holds every case, float and double)
 //        ShapeErrorTable --speed [file.csv]    families of superquadrics, also out of range: speed against error
-//        ShapeErrorTable --million [file.csv]  glyphs of direction, capsules and round cones: a million rays of each
+//        ShapeErrorTable --million [file.csv]  spherical functions, capsules and round cones: a million rays of each
 //        ShapeErrorTable --spheres [file.csv]  spheres beside the formulas that other renderers use
 
 #include "Measure.h"

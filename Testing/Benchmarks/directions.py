@@ -1,4 +1,4 @@
-"""Glyphs of direction and tubes in large numbers: seconds to the first picture, seconds a frame, memory, beside the meshes that others draw.
+"""Spherical functions and tubes in large numbers: seconds to the first picture, seconds a frame, memory, beside the meshes that others draw.
 
 Usage: pvpython directions.py FOLDER [--kinds "KIND;..."] [--size PIXELS] [--frames N]
 Environment: RTGLYPHS_PLUGIN is the plugin's library.

@@ -116,14 +116,14 @@ def gpu():
     kinds = sorted({(shape, glyphs) for _, shape, glyphs, _ in rates}, key=lambda kind: (["spheres", "ellipsoids", "arrows", "superquadrics"].index(kind[0]), kind[1]))
     lights = ("local", "occlusion", "paths")
     return markdown(
-        ["shape", "glyphs"] + ["%s: %s" % (name, light) for name in ("plugin's BVH", "driver's BVH") for light in lights] + ["build: s", "driver's", "bytes a glyph", "driver's"],
+        ["shape", "glyphs"] + ["%s: %s" % (name, light) for name in ("plugin's BVH", "driver's BVH") for light in lights] + ["%s: %s" % (name, what) for what in ("build s", "bytes a glyph") for name in ("plugin's BVH", "driver's BVH")],
         [[shape, "%d" % glyphs] + [cell(name, shape, glyphs, light, "frames per second", 2) for name in ("trees", "boxes") for light in lights]
          + [cell(name, shape, glyphs, "local", "rebuild s", 2) for name in ("trees", "boxes")]
          + [cell(name, shape, glyphs, "local", "bytes per glyph", 2) for name in ("trees", "boxes")] for shape, glyphs in kinds])
 
 
 def directions():
-    """Glyphs of direction and tubes in large numbers."""
+    """Spherical functions and tubes in large numbers."""
     return markdown(["", "first picture: s", "making the meshes: s", "frame: wall s", "CPU s", "memory: MB"],
                     [[row["kind"], timing(row, "first", 3), timing(row, "making", 2) if row["making"] else "", timing(row, "frame", 3),
                       timing(row, "frame cpu", 3), "%.0f" % (row["bytes"] / 1e6)] for row in rows("directions")])
@@ -143,7 +143,7 @@ def build_picture():
     """The first picture of ten million spheres, without ParaView."""
     row, = rows("build-picture")
     stages = ("commit s", "sort s", "build s", "upload s", "picture s", "all s")
-    return markdown(["commit", "of it sort", "BVH", "upload", "compile and trace", "all", "peak memory: MB", "of it data: MB"],
+    return markdown(["Scene::Commit()", "of it sort", "BVH", "upload", "compile and trace", "all", "peak memory: MB", "of it data: MB"],
                     [[timing(row, stage, 3) for stage in stages] + ["%.0f" % row["peak MB"], "%.0f" % row["MB before"]]])
 
 

@@ -92,7 +92,13 @@ def values(entry):
 
 
 def default(entry):
-    """The value without data, or what the data give."""
+    """The value without data, or what the data give; what the client chooses for a display stands in the texts only."""
+    if re.search(r"\b[Dd]efault on\b", words(entry)):
+        return "1"
+    if entry.get("default_values") == "None":
+        return "None"
+    if re.search(r"\bBy default \w+FromData finds", words(entry), re.IGNORECASE):
+        return "from the data"
     for domain in entry:
         if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain",
                           "RayTracedRadiusDomain"):

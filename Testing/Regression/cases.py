@@ -347,7 +347,7 @@ def tables(view, checks):
 IDLE = (
     ({"PeriodicImages": [1, 0, 0]}, "PeriodicImages has no effect"),
     ({"PeriodicBoundary": 1}, "PeriodicBoundary has no effect"),
-    ({"PeriodicBoundary": 1, "PeriodicImages": [1, 0, 0]}, "Periodic box by the bounds of the points"),
+    ({"PeriodicBoundary": 1, "PeriodicImages": [1, 0, 0]}, "The periodic box is that of the points' bounds"),
     ({"PeriodicBoundary": 1, "PeriodicImages": [1, 0, 0], "PeriodicVectors": [4.0, 0, 0, 0, 4.0, 0, 0, 0, 4.0]}, None),
     ({"PeriodicBoundary": 1, "ShadingMode": "Ambient Occlusion", "AmbientOcclusionRadius": 1.0, "PeriodicVectors": [4.0, 0, 0, 0, 4.0, 0, 0, 0, 4.0]}, None),
     ({"Section": "Plane", "SectionOrigin": [9.0, 0.0, 0.0]}, "Section has no effect"),

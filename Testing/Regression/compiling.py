@@ -24,7 +24,7 @@ def while_compiling(view, shown):
     pictures, end = [], time.monotonic() + LIMIT
     while time.monotonic() < end:
         pv.Render(view)
-        if information(shown, "RefinementStep") == "Compiling Programs":
+        if information(shown, "RefinementStep") == "Compiling Shaders":
             pictures.append(accumulation.shown_by(view))
             time.sleep(0.02)
         elif information(shown, "AccumulatedSamples") > 0:

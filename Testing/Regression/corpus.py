@@ -321,7 +321,7 @@ ROWS = (
     Row("wind, CSV", lambda: table("wind.csv", x=NODES[:, 0], y=NODES[:, 1], z=0.0 * NODES[:, 2], u10=swirl(NODES)[:, 0], v10=swirl(NODES)[:, 1],
                                    t2m=280.0 + NODES[:, 0]), {DIRECTION: "u10, v10"}, "Axes", 120),
     Row("a jet in noise", lambda: vti("jet.vti", (12, 10, 1), id=numpy.arange(120), velocity=unit(120, 3) * numpy.where(numpy.arange(120) % 30 == 7, 100.0, 1.0)[:, None]),
-        {DIRECTION: "velocity"}, "velocity", 120, ("About 3 % of the glyphs are drawn smaller than in proportion", ), ScaleMode="Magnitude"),
+        {DIRECTION: "velocity"}, "velocity", 120, ("About 3 % of the glyphs would be too large", ), ScaleMode="Magnitude"),
     Row("DualSPHysics", lambda: legacy("sph.vtk", 0.01 * grid(8, 6, 5), Idp=numpy.arange(240), Vel=v_of(240), Rhop=numpy.full(240, 1000.0)),
         {DIRECTION: "Vel"}, "Vel", 240),
     Row("MRtrix, ODF", lambda: vti("odf.vti", (5, 4, 1), odf=RANDOM.normal(size=(20, 15)) * 0.05 + numpy.eye(15)[0] * 0.28),
@@ -344,7 +344,7 @@ ROWS = (
         {"GlyphShape": 0}, "", 120),
     Row("wind by angles", lambda: table("stations.csv", x=NODES[:, 0], y=NODES[:, 1], z=0.0 * NODES[:, 2], wind_direction=RANDOM.uniform(0.0, 360.0, 120),
                                         wind_speed=RANDOM.uniform(1.0, 20.0, 120)),
-        {DIRECTION: "None"}, "wind_speed", 120, ("Angles and components along circles are no directions: a Calculator makes vectors of wind_direction", )),
+        {DIRECTION: "None"}, "wind_speed", 120, ("Not used as directions: wind_direction (angles", )),
     Row("OOMMF, directions of magnetization", lambda: vti("spins.vti", (8, 8, 1), m=unit(64, 3)), {DIRECTION: "m"}, "Axes", 64, ("Direction by m", "Color by direction")),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
     Row("N-body, masses", lambda: legacy("nbody.vtk", PLACES, masses=10.0**RANDOM.uniform(4.0, 12.0, 300)), {SIZE: "None"}, "masses", 300),
@@ -360,7 +360,7 @@ ROWS = (
     Row("five numbers", lambda: vti("five.vti", (6, 5, 2), a=traceless(60)), {"GlyphShape": 0}, "", 60, ("GlyphShape can show a as tensors", )),
     Row("a swirl in cylindrical coordinates", lambda: table("swirl.csv", x=NODES[:, 0], y=NODES[:, 1], z=NODES[:, 2],
                                                                **columns("V_", RANDOM.normal(size=(120, 3)), "r", "theta", "z")),
-        {DIRECTION: "None"}, "V_r", 120, ("Angles and components along circles are no directions: a Calculator makes vectors of V_theta", )),
+        {DIRECTION: "None"}, "V_r", 120, ("Not used as directions: V_theta (angles", )),
 )
 
 

@@ -1,4 +1,4 @@
-"""Glyphs of direction: spherical harmonics of every basis, normal stress and fourth-order tensors have the radius |f(n)|, by pictures
+"""Spherical functions: spherical harmonics of every basis, normal stress and fourth-order tensors have the radius |f(n)|, by pictures
 against points of the rays; sizes, rotations, colors, light, motion, selecting, and bad input.
 
 Usage: pvpython harmonics.py

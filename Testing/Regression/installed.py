@@ -17,7 +17,8 @@ from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 import session
 from checks import Checks
 
-FILES = ["CHANGES.md", "LICENSE", "LIMITS.md", "README.md", "RayTracedGlyphs.so", "raytracedglyphs.xml"]
+FILES = ["Data/RECIPES.md", "LICENSE", "Plugin/CHANGES.md", "Plugin/LIMITS.md", "README.md", "RayTracedGlyphs.so", "Representation/FEATURES.md",
+         "Representation/PROPERTIES.md", "Representation/README.md", "raytracedglyphs.xml"]
 
 
 def draw(prefix, connected=""):
@@ -65,7 +66,10 @@ def main(cmake, build, pvpython):
         prefix, moved = os.path.join(folder, "here"), os.path.join(folder, "elsewhere")
         subprocess.run([cmake, "--install", build, "--prefix", prefix], check=True)
         os.rename(prefix, moved)
-        paths = {name: os.path.join(folder, name) for folder, _, names in os.walk(moved) for name in names}
+        paths = {}
+        for inside, _, names in os.walk(moved):
+            kind = os.path.basename(inside)
+            paths.update({os.path.join(kind, name) if kind in ("Data", "Plugin", "Representation") else name: os.path.join(inside, name) for name in names})
         if sorted(paths) != FILES:
             failures.append("installed are %s, not %s" % (sorted(paths), FILES))
         plugin = paths["RayTracedGlyphs.so"]

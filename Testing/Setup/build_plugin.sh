@@ -30,6 +30,7 @@ build_plugin() { # paraview-folder [CMAKE-OPTION...]
   NINJA_STATUS='[%f/%t %es] ' ninja -C "$build" "${build_targets[@]}" || return 1
   plugin=$(find "$build" -name RayTracedGlyphs.so | head -n 1)
   [ -n "$plugin" ] || { echo "the build made no RayTracedGlyphs.so" >&2; return 1; }
+  echo "== plugin ($plugin)"
 }
 needs_display=yes
 build_targets=() # empty: all, the tests too

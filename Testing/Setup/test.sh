@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All tests, from a bare Debian 12, 13 or testing as root or with sudo: installs what is missing, builds the plugin into build/
+# The default suite of tests, from a bare Debian 12, 13 or testing as root or with sudo: installs what is missing, builds the plugin into build/
 # and runs ctest, whose summary comes last. Failed pictures lie in build/Testing/Regression.
 # Usage: test.sh [--paraview DIR] [--strict] [--long] [CTEST-OPTION...]     DIR: a ParaView made by build_paraview.sh
 # --strict: warnings of the compiler are errors.
