@@ -8,7 +8,6 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace rtg

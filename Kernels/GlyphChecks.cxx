@@ -11,7 +11,6 @@
 #include <atomic>
 #include <cmath>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace rtg

@@ -2,8 +2,6 @@
 
 #include "TimeSlices.h"
 
-#include <cmath>
-
 namespace rtg
 {
 

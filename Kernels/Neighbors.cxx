@@ -5,7 +5,6 @@
 #include "MeshTree.h"
 
 #include <cstring>
-#include <numeric>
 #include <type_traits>
 
 namespace rtg

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <future>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>

@@ -6,7 +6,6 @@
 #include "TimeSlices.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rtg
 {

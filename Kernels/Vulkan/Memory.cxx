@@ -1,7 +1,6 @@
 #include "Memory.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <new>
 #include <optional>
