@@ -6,23 +6,24 @@
 namespace rtg
 {
 
+namespace
+{
+
+glm::dvec3 ValueOrZero(const std::vector<glm::vec3>& values, std::size_t glyph)
+{
+  return values.empty() ? glm::dvec3(0.0) : glm::dvec3(values[glyph]);
+}
+
+} // namespace
+
 glm::dvec3 GlyphMotion::Displacement(std::size_t glyph, double time) const
 {
-  glm::dvec3 displacement(0.0);
-  if (!this->velocities.empty())
-  {
-    displacement += glm::dvec3(this->velocities[glyph]) * time;
-  }
-  if (!this->accelerations.empty())
-  {
-    displacement += glm::dvec3(this->accelerations[glyph]) * (0.5 * time * time);
-  }
-  return displacement;
+  return ValueOrZero(this->velocities, glyph) * time + ValueOrZero(this->accelerations, glyph) * (0.5 * time * time);
 }
 
 glm::dquat GlyphMotion::RotationAt(std::size_t glyph, double time) const
 {
-  const glm::dvec3 rotation = this->Spins() ? time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
+  const glm::dvec3 rotation = time * ValueOrZero(this->angularVelocities, glyph);
   const double angle = glm::length(rotation);
   return glm::angleAxis(angle, angle > 0.0 ? rotation / angle : rotation);
 }
@@ -34,8 +35,8 @@ DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, dou
   DoubleBox range{ glm::min(start, end), glm::max(start, end) };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double v = motion.velocities.empty() ? 0.0 : motion.velocities[glyph][axis];
-    const double a = motion.accelerations.empty() ? 0.0 : motion.accelerations[glyph][axis];
+    const double v = ValueOrZero(motion.velocities, glyph)[axis];
+    const double a = ValueOrZero(motion.accelerations, glyph)[axis];
     const double turning = -v / a; // not finite, and so outside, without an apex
     if (turning > first && turning < last)
     {
@@ -50,15 +51,8 @@ DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, dou
 DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
 {
   const double time = std::max(std::abs(first), std::abs(last));
-  glm::dvec3 terms(0.0);
-  if (!motion.velocities.empty())
-  {
-    terms += glm::abs(glm::dvec3(motion.velocities[glyph])) * time;
-  }
-  if (!motion.accelerations.empty())
-  {
-    terms += glm::abs(glm::dvec3(motion.accelerations[glyph])) * (0.5 * time * time);
-  }
+  const glm::dvec3 terms = glm::abs(ValueOrZero(motion.velocities, glyph)) * time +
+    glm::abs(ValueOrZero(motion.accelerations, glyph)) * (0.5 * time * time);
   const glm::dvec3 padding = std::ldexp(1.0, -21) * terms;
   const DoubleBox range = RangeOfDisplacements(motion, glyph, first, last);
   return { range.lower - padding, range.upper + padding };
