@@ -42,17 +42,24 @@ bool HasExtensions(const vk::raii::PhysicalDevice& physical, std::span<const cha
   return std::all_of(names.begin(), names.end(), has);
 }
 
+template <class Part>
+Part FeaturesOf(const vk::raii::PhysicalDevice& physical)
+{
+  return physical.getFeatures2<vk::PhysicalDeviceFeatures2, Part>().template get<Part>();
+}
+
+template <class Part>
+Part PropertiesOf(const vk::raii::PhysicalDevice& physical)
+{
+  return physical.getProperties2<vk::PhysicalDeviceProperties2, Part>().template get<Part>();
+}
+
 // Whether programs can query acceleration structures.
 bool HasRayQueries(const vk::raii::PhysicalDevice& physical)
 {
-  if (!HasExtensions(physical, rayExtensions))
-  {
-    return false;
-  }
-  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2,
-    vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>();
-  return features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure &&
-    features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery;
+  return HasExtensions(physical, rayExtensions) &&
+    FeaturesOf<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>(physical).accelerationStructure &&
+    FeaturesOf<vk::PhysicalDeviceRayQueryFeaturesKHR>(physical).rayQuery;
 }
 
 // Features that the device lacks to trace, in words; empty: none.
@@ -64,20 +71,17 @@ std::string Lacks(const vk::raii::PhysicalDevice& physical)
     return "Vulkan 1.2: its driver has " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
       std::to_string(VK_API_VERSION_MINOR(version));
   }
-  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
-  const auto& vulkan12 = features.get<vk::PhysicalDeviceVulkan12Features>();
-  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64)
+  if (!physical.getFeatures2().features.shaderInt64)
   {
     return "the feature shaderInt64";
   }
-  if (!vulkan12.bufferDeviceAddress || !vulkan12.scalarBlockLayout)
+  const auto features = FeaturesOf<vk::PhysicalDeviceVulkan12Features>(physical);
+  if (!features.bufferDeviceAddress || !features.scalarBlockLayout)
   {
     return "the features bufferDeviceAddress and scalarBlockLayout";
   }
   // Programs/bindings.glsl declares them.
-  const auto properties =
-    physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>();
-  const auto& controls = properties.get<vk::PhysicalDeviceVulkan12Properties>();
+  const auto controls = PropertiesOf<vk::PhysicalDeviceVulkan12Properties>(physical);
   if (!controls.shaderRoundingModeRTEFloat32)
   {
     return "exact rounding (shaderRoundingModeRTEFloat32)";
@@ -224,8 +228,7 @@ vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
 // compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
 bool MiscompilesAvx512(const vk::raii::PhysicalDevice& physical)
 {
-  const auto properties = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
-  const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
+  const auto driver = PropertiesOf<vk::PhysicalDeviceDriverProperties>(physical);
   int version = 0;
   const char* compiler = std::strstr(driver.driverInfo, "LLVM ");
   return driver.driverID == vk::DriverId::eMesaLlvmpipe && compiler &&
@@ -327,24 +330,15 @@ void Device::Start()
   state.programLayout = vk::raii::PipelineLayout(state.device, vk::PipelineLayoutCreateInfo({}, *state.frameLayout));
   state.programs = std::make_unique<ProgramLibrary>(state);
   state.memoryTypes = state.physical.getMemoryProperties();
-  state.mostOfAllocation =
-    state.physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties>()
-      .get<vk::PhysicalDeviceVulkan11Properties>()
-      .maxMemoryAllocationSize;
+  state.mostOfAllocation = PropertiesOf<vk::PhysicalDeviceVulkan11Properties>(state.physical).maxMemoryAllocationSize;
   constexpr const char* bufferSizes[] = { VK_KHR_MAINTENANCE_4_EXTENSION_NAME };
   if (HasExtensions(state.physical, bufferSizes))
   {
-    state.mostOfBuffer =
-      state.physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance4Properties>()
-        .get<vk::PhysicalDeviceMaintenance4Properties>()
-        .maxBufferSize;
+    state.mostOfBuffer = PropertiesOf<vk::PhysicalDeviceMaintenance4Properties>(state.physical).maxBufferSize;
   }
   if (state.rayQueries)
   {
-    state.structureLimits =
-      state.physical
-        .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>()
-        .get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    state.structureLimits = PropertiesOf<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>(state.physical);
   }
 }
 
