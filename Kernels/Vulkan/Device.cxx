@@ -158,22 +158,16 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
     return *index;
   }
 
-  // A GPU first, integrated or not; else any device that traces.
+  // A GPU of its own memory first, then any other; else any device that traces.
+  const auto rank = [&](std::size_t i)
+  {
+    const auto type = devices[i].getProperties().deviceType;
+    return type == vk::PhysicalDeviceType::eDiscreteGpu ? 0 : type != vk::PhysicalDeviceType::eCpu ? 1 : 2;
+  };
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
-    if (!lacks[i].empty())
-    {
-      continue;
-    }
-    const auto type = devices[i].getProperties().deviceType;
-    if (type == vk::PhysicalDeviceType::eDiscreteGpu)
-    {
-      return i;
-    }
-    if (!best ||
-      (type != vk::PhysicalDeviceType::eCpu &&
-        devices[*best].getProperties().deviceType == vk::PhysicalDeviceType::eCpu))
+    if (lacks[i].empty() && (!best || rank(i) < rank(*best)))
     {
       best = i;
     }
@@ -480,26 +474,19 @@ void Device::State::ThrowOutOfMemory(const char* doing, const std::string& what)
 
 void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
 {
-  std::ostringstream message;
-  message << "Ray Traced Glyphs: " << doing << " failed on '" << this->name << "': ";
-  if (dynamic_cast<const vk::DeviceLostError*>(&error))
-  {
-    this->lost = true;
-    message << "the Vulkan device was lost. The glyphs are sent again to a new one on the next "
-               "render; if it "
-               "recurs, lower SamplesPerPixel or update the driver.";
-  }
-  else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
-    dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
+  if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) || dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
     this->ThrowOutOfMemory(
       doing, "out of memory with " + std::to_string(this->memory.bytes.load() >> 20) + " MiB held");
   }
-  else
+  std::string what = std::string(error.what()) + ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
+  if (dynamic_cast<const vk::DeviceLostError*>(&error))
   {
-    message << error.what() << ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
+    this->lost = true;
+    what = "the Vulkan device was lost. The glyphs are sent again to a new one on the next render; if it recurs, lower "
+           "SamplesPerPixel or update the driver.";
   }
-  throw Error(message.str());
+  throw Error("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name + "': " + what);
 }
 
 } // namespace rtg
