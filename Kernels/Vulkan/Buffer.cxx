@@ -13,19 +13,6 @@ namespace rtg
 namespace
 {
 
-std::optional<std::uint32_t>
-FindMemoryType(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowed, vk::MemoryPropertyFlags wanted)
-{
-  for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
-  {
-    if ((allowed & (1u << i)) && (memory.memoryTypes[i].propertyFlags & wanted) == wanted)
-    {
-      return i;
-    }
-  }
-  return std::nullopt;
-}
-
 std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowed, Buffer::Place place)
 {
   using Flag = vk::MemoryPropertyFlagBits;
@@ -37,9 +24,12 @@ std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowe
   };
   for (const auto& wanted : preferences[static_cast<int>(place)])
   {
-    if (const auto type = FindMemoryType(device.memoryTypes, allowed, wanted))
+    for (std::uint32_t i = 0; i < device.memoryTypes.memoryTypeCount; ++i)
     {
-      return *type;
+      if ((allowed & (1u << i)) && (device.memoryTypes.memoryTypes[i].propertyFlags & wanted) == wanted)
+      {
+        return i;
+      }
     }
   }
   throw vk::OutOfDeviceMemoryError("no suitable memory type");
