@@ -195,31 +195,25 @@ const Image* ProgressiveImage::Update(
     this->lostDevice_ = false;
     return &this->GetImage();
   }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail(request, prepared, /*memory=*/true,
-      "Ray Traced Glyphs: the computer's memory does not suffice for the glyphs or their image. "
-      "Show fewer glyphs "
-      "(GlyphMode, MaximumNumberOfGlyphs), make the picture smaller, or hide other data.");
-  }
-  catch (const OutOfMemory& error)
-  {
-    this->Fail(request, prepared, /*memory=*/true, error.what());
-  }
   catch (const std::exception& error)
   {
-    this->Fail(request, prepared, /*memory=*/false, error.what());
+    this->Fail(request, prepared, error);
   }
   return nullptr;
 }
 
-void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, const char* message)
+void ProgressiveImage::Fail(const Request& request, bool prepared, const std::exception& error)
 {
   const bool hasDevice = request.source.HasDevice();
+  const bool exhausted = dynamic_cast<const std::bad_alloc*>(&error);
+  const bool memory = exhausted || dynamic_cast<const OutOfMemory*>(&error);
   this->Forget();
   this->state_ = State::Failed;
   this->failure_.cause = !hasDevice ? Cause::Device : memory ? Cause::Memory : prepared ? Cause::Image : Cause::Scene;
-  this->failure_.message = message;
+  this->failure_.message = exhausted
+    ? "Ray Traced Glyphs: the computer's memory does not suffice for the glyphs or their image. Show fewer glyphs "
+      "(GlyphMode, MaximumNumberOfGlyphs), make the picture smaller, or hide other data."
+    : error.what();
   const bool lost = request.source.IsDeviceLost();
   this->tryNewDevice_ = lost && !this->lostDevice_;
   this->lostDevice_ |= lost;

@@ -161,7 +161,7 @@ private:
   void Smooth(const Request& request);
   void ExpectOtherLight(const Request& request);
   void StopSmoothing();
-  void Fail(const Request& request, bool prepared, bool memory, const char* message);
+  void Fail(const Request& request, bool prepared, const std::exception& error);
 
   State state_ = State::Empty;
   Failure failure_;
