@@ -94,7 +94,7 @@ glm::dvec3 WithPositiveLargest(const glm::dvec3& v)
 constexpr double corners[11][2] = { { 1, 1 }, { .5, 1 }, { .75, .75 }, { 1, .5 }, { 1, 0 }, { .5, .5 }, { 0, 1 },
   { 0, .5 }, { .25, .25 }, { .5, 0 }, { 0, 0 } };
 
-// Shapes at the corners of a zone.
+// Shapes at the corners of a zone, in the order of ExponentsOf().
 enum BaseShape
 {
   Ball,
@@ -146,23 +146,9 @@ int ZoneAt(double u, double v)
 
 glm::dvec3 ExponentsOf(BaseShape form, double concave)
 {
-  switch (form)
-  {
-    case Cylinder:
-      return { 1.0, 0.0, 0.0 };
-    case Half:
-      return { 0.5, 0.5, 0.5 };
-    case Octahedron:
-      return { 0.0, 2.0, 2.0 };
-    case Cone:
-      return { 1.0, 2.0, 2.0 };
-    case Thorn:
-      return { 1.0, concave, 3.0 };
-    case Funk:
-      return { 0.0, concave, 2.0 };
-    default:
-      return { 1.0, 1.0, 1.0 };
-  }
+  const glm::dvec3 exponents[] = { { 1.0, 1.0, 1.0 }, { 1.0, 0.0, 0.0 }, { 0.5, 0.5, 0.5 }, { 0.0, 2.0, 2.0 },
+    { 1.0, 2.0, 2.0 }, { 1.0, concave, 3.0 }, { 0.0, concave, 2.0 } };
+  return exponents[form];
 }
 
 double Sharpened(double beta, double sharpness)
@@ -303,12 +289,7 @@ TensorExponents SchultzKindlmannBase(const glm::dvec2& uv, double concave)
   const glm::dvec3 blend = (1.0 - first - second) * ExponentsOf(zone.form[0], concave) +
     first * ExponentsOf(zone.form[1], concave) + second * ExponentsOf(zone.form[2], concave);
 
-  TensorExponents exponents;
-  exponents.alpha = std::max(blend.x, 0.0);
-  exponents.beta = std::max(blend.y, 0.0);
-  exponents.c = std::max(blend.z, 0.0);
-  exponents.alongFirst = zone.alongFirst;
-  return exponents;
+  return { std::max(blend.x, 0.0), std::max(blend.y, 0.0), std::max(blend.z, 0.0), zone.alongFirst };
 }
 
 TensorExponents SchultzKindlmannExponents(const glm::dvec3& values, double sharpness)
