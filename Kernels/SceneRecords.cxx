@@ -80,21 +80,15 @@ Box Scene::State::BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) co
 std::vector<GlyphSet::Image> GlyphSet::Images() const
 {
   std::vector<Image> result{ { glm::dvec3(0.0), true } };
-  const glm::ivec3& lit = this->images.lit;
-  for (int i = -lit.x; i <= lit.x; ++i)
+  const auto& [edges, shown, lit] = this->images;
+  const glm::ivec3 sides = 2 * lit + 1;
+  for (int i = 0; i < sides.x * sides.y * sides.z; ++i)
   {
-    for (int j = -lit.y; j <= lit.y; ++j)
+    const glm::ivec3 place = glm::ivec3(i / (sides.y * sides.z), i / sides.z % sides.y, i % sides.z) - lit;
+    if (place != glm::ivec3(0))
     {
-      for (int k = -lit.z; k <= lit.z; ++k)
-      {
-        const glm::ivec3 place(i, j, k);
-        const glm::dvec3 offset =
-          double(i) * this->images.edges[0] + double(j) * this->images.edges[1] + double(k) * this->images.edges[2];
-        if (place != glm::ivec3(0))
-        {
-          result.push_back({ offset, glm::all(glm::lessThanEqual(glm::abs(place), this->images.shown)) });
-        }
-      }
+      const glm::dvec3 offset = double(place.x) * edges[0] + double(place.y) * edges[1] + double(place.z) * edges[2];
+      result.push_back({ offset, glm::all(glm::lessThanEqual(glm::abs(place), shown)) });
     }
   }
   return result;
