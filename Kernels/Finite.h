@@ -8,10 +8,11 @@
 namespace rtg
 {
 
-/// No component is infinite or NaN.
-inline bool IsFinite(const glm::dvec3& v)
+/// No component is infinite or NaN: differences of what is finite are zero.
+template <int n, class Real>
+bool IsFinite(const glm::vec<n, Real>& v)
 {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  return v - v == glm::vec<n, Real>(Real(0));
 }
 
 inline bool IsFinite(const double v[3])

@@ -38,18 +38,6 @@ template <class... Parts>
   throw Error(message.str());
 }
 
-bool IsFinite(float value)
-{
-  return std::isfinite(value);
-}
-
-template <int n>
-bool IsFinite(const glm::vec<n, float>& value)
-{
-  // Differences of what is finite are zero.
-  return value - value == glm::vec<n, float>(0.0f);
-}
-
 // Names the first value that is not good.
 template <class T, class Good>
 void CheckEach(const char* words, const std::vector<T>& values, const Good& good)
@@ -130,7 +118,7 @@ void CheckSizes(const GlyphInstances& instances)
   const auto good = [shape](float size)
   {
     // A negative one mirrors; one of two diameters may be zero.
-    return IsFinite(size) &&
+    return std::isfinite(size) &&
       (shape == Shape::Mesh           ? size != 0.0f
           : shape == Shape::RoundCone ? size >= 0.0f
                                       : size > 0.0f);
