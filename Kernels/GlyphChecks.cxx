@@ -3,7 +3,6 @@
 #include "Finite.h"
 #include "GlyphArrays.h"
 #include "HarmonicForms.h"
-#include "MeshTree.h"
 #include "Parallel.h"
 #include "SweptEllipsoid.h"
 
@@ -249,7 +248,7 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   {
     Fail("the positions of a mesh have angular velocities; they can have velocities and accelerations.");
   }
-  if (Deforms(*mesh))
+  if (mesh->motion.Moves())
   {
     CheckShutter(shutter);
   }

@@ -8,7 +8,7 @@ namespace rtg
 DoubleBox TrianglePaths::Corner(std::uint32_t corner, double first, double last) const
 {
   const glm::dvec3 at(this->positions[corner]);
-  if (!Deforms(this->mesh))
+  if (!this->mesh.motion.Moves())
   {
     return { at, at };
   }
@@ -25,11 +25,6 @@ DoubleBox TrianglePaths::Triangle(std::size_t triangle, double first, double las
     bounds.Include(this->Corner(other, first, last));
   }
   return bounds;
-}
-
-bool Deforms(const TriangleMesh& mesh)
-{
-  return mesh.motion.Moves();
 }
 
 DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime)
@@ -81,7 +76,7 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const CenteredMesh& centered, c
   const std::uint32_t leafBits = GlyphTree::LeafBits(mesh.triangles.size(), trianglesPerLeaf);
   KdOrder kd = MakeKdOrder(boxesBetween(0.5, 0.5), leafBits);
   tree.order = std::move(kd.order);
-  const std::uint32_t sliceBits = !Deforms(mesh)
+  const std::uint32_t sliceBits = !mesh.motion.Moves()
     ? 0
     : ChooseSliceBits(
         mesh.triangles.size(), kd.axes.size() * sizeof(GlyphTreeNode),

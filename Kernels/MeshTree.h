@@ -10,9 +10,6 @@
 namespace rtg
 {
 
-/// True when its positions move in its own frame.
-bool Deforms(const TriangleMesh& mesh);
-
 /// Boxes round a mesh's triangles between two times, which hold what motion the mesh itself has.
 struct TrianglePaths
 {

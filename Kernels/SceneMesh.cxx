@@ -60,18 +60,12 @@ Buffer SendMeshColors(Device::State& device, const PlacedMesh& mesh, const Trian
                                        : Send(device, source.positionColors);
 }
 
-// Whether a mesh on the device is the wanted one, but for colors.
-bool HasShapeOf(const PlacedMesh& placed, const std::shared_ptr<const TriangleMesh>& wanted)
-{
-  return placed.source && (placed.source == wanted || SameShape(*placed.source, *wanted));
-}
-
 } // namespace
 
 bool IsMovingMesh(const GlyphInstances& instances)
 {
   return instances.shape == Shape::Mesh &&
-    (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centersLow.empty());
+    (instances.motion.Any() || instances.mesh->motion.Moves() || !instances.centersLow.empty());
 }
 
 bool IsClosed(const TriangleMesh& mesh)
@@ -108,17 +102,6 @@ bool IsClosed(const TriangleMesh& mesh)
   return true;
 }
 
-void Scene::State::UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh)
-{
-  const std::shared_ptr<const TriangleMesh>& wanted = set.instances.mesh;
-  if (mesh.source != wanted)
-  {
-    mesh.colors = SendMeshColors(this->device->GetState(), mesh, *wanted);
-    mesh.source = wanted;
-    ++this->statistics->colorUploads;
-  }
-}
-
 // A mesh that is only copied to other places is not sent again, and where only its colors are new these are sent alone.
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
@@ -131,15 +114,19 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   const std::shared_ptr<const TriangleMesh> before = sent.source;
   // Positions at rest do not depend on the shutter.
   const bool sameShutter =
-    !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  const bool keeps = (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && HasShapeOf(sent, wanted);
-  if (keeps)
+    !mesh.motion.Moves() || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
+  const bool keeps = (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && before &&
+    (before == wanted || SameShape(*before, mesh));
+  Device::State& vulkan = this->device->GetState();
+  if (keeps && before != wanted)
   {
-    this->UpdateMeshColors(set, sent);
+    // Of a mesh that stays: to one that goes the batch would copy when its buffer is no more.
+    sent.colors = SendMeshColors(vulkan, sent, mesh);
+    sent.source = wanted;
+    ++this->statistics->colorUploads;
   }
-  else
+  else if (!keeps)
   {
-    Device::State& vulkan = this->device->GetState();
     sent = PlacedMesh();
     CenteredMesh centered = Center(mesh, shutter);
     if (hasTree)

@@ -226,8 +226,6 @@ struct Scene::State
   /// Whether mesh glyphs need a tree of their own: where there are no triangles of the driver, and where these, which
   /// are placed in float, would not do.
   bool NeedsMeshTree(const GlyphSet& set) const;
-  /// Sends the colors of a mesh that stays. To one that goes the batch would copy when its buffer is no more.
-  void UpdateMeshColors(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
