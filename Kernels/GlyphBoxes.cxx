@@ -243,8 +243,9 @@ Box UnionOf(const BoxReader& boxes)
 
 std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order)
 {
+  const BoxReader ordered(boxes, order);
   std::vector<Box> sorted(boxes.Count());
-  ParallelEach(sorted.size(), [&](std::size_t i) { sorted[i] = boxes[order.empty() ? i : order[i]]; });
+  ParallelEach(sorted.size(), [&](std::size_t i) { sorted[i] = ordered[i]; });
   return sorted;
 }
 

@@ -26,7 +26,8 @@ std::vector<Box> ListedBoxes(const GlyphInstances& instances);
 Box BallBox(const glm::vec3& center, const glm::vec3& centerLow, float size);
 
 /// Boxes that are read one by one: of a list, or of the balls of instances, which are computed when they are read. A
-/// list of the boxes of many balls would take more memory than the balls. Lists and instances must stay.
+/// list of the boxes of many balls would take more memory than the balls, and a sorted copy of it more than a tree.
+/// Lists, instances and orders must stay.
 class BoxReader
 {
 public:
@@ -42,16 +43,23 @@ public:
     , padding_(padding)
   {
   }
+  /// These boxes in that order; in their own when it is empty.
+  BoxReader(const BoxReader& boxes, const std::vector<std::uint32_t>& order)
+    : BoxReader(boxes)
+  {
+    this->order_ = order.empty() ? nullptr : order.data();
+  }
 
   std::size_t Count() const { return this->boxes_ ? this->boxes_->size() : this->balls_->Count(); }
 
   /// Widened by the padding.
-  Box operator[](std::size_t i) const
+  Box operator[](std::size_t place) const
   {
+    const std::size_t i = this->order_ ? this->order_[place] : place;
     return (this->boxes_ ? (*this->boxes_)[i] : this->BallBoxAt(i)).Widened(this->padding_);
   }
 
-  /// Half the extent, about.
+  /// Half the extent, about, of a box in the boxes' own order.
   glm::vec3 HalfExtent(std::size_t i) const
   {
     return this->boxes_ ? 0.5f * ((*this->boxes_)[i].upper - (*this->boxes_)[i].lower)
@@ -71,13 +79,14 @@ private:
 
   const std::vector<Box>* boxes_ = nullptr;
   const GlyphInstances* balls_ = nullptr;
+  const std::uint32_t* order_ = nullptr;
   float padding_;
 };
 
 /// The box of all.
 Box UnionOf(const BoxReader& boxes);
 
-/// The boxes in that order; in their own when it is empty.
+/// A list of the boxes in that order; in their own when it is empty.
 std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order);
 
 /// The box of a glyph of these sizes, not rotated, relative to its center; of polynomials the largest. None of

@@ -20,14 +20,13 @@ Box Union(Box a, const Box& b)
   return a;
 }
 
-Box LeafBox(const OrderedBoxes& ordered, std::size_t leaf, std::uint32_t leafBits)
+Box LeafBox(const BoxReader& boxes, std::size_t leaf, std::uint32_t leafBits)
 {
-  const std::size_t count = ordered.boxes.Count();
-  const std::size_t last = GlyphTree::Start(leaf + 1, count, leafBits);
+  const std::size_t last = GlyphTree::Start(leaf + 1, boxes.Count(), leafBits);
   Box box;
-  for (std::size_t i = GlyphTree::Start(leaf, count, leafBits); i < last; ++i)
+  for (std::size_t i = GlyphTree::Start(leaf, boxes.Count(), leafBits); i < last; ++i)
   {
-    box.Include(ordered.boxes[ordered.order ? ordered.order[i] : i]);
+    box.Include(boxes[i]);
   }
   return box;
 }
@@ -376,7 +375,7 @@ KdOrder MakeKdOrder(const BoxReader& boxes, std::uint32_t leafBits)
   return result;
 }
 
-double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits)
+double LeafSurface(const BoxReader& boxes, std::uint32_t leafBits)
 {
   constexpr std::size_t mostVisited = std::size_t(1) << 16;
   const std::size_t leaves = std::size_t(1) << leafBits;
@@ -398,7 +397,7 @@ double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits)
   return sum * (double(leaves) / double(visited));
 }
 
-GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
+GlyphTree BuildGlyphTree(const BoxReader& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
 {
   GlyphTree tree;
   tree.leafBits = leafBits;

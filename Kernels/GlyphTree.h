@@ -67,32 +67,15 @@ struct KdOrder
 };
 KdOrder MakeKdOrder(const BoxReader& boxes, std::uint32_t leafBits);
 
-/// Boxes as a tree is built over them: in `order`, which must stay, or as they lie. A sorted copy of the boxes of many
-/// glyphs would take more memory than their tree.
-struct OrderedBoxes
-{
-  OrderedBoxes(const std::vector<Box>& b)
-    : boxes(b)
-  {
-  }
-  OrderedBoxes(const BoxReader& b, const std::vector<std::uint32_t>& o)
-    : boxes(b)
-    , order(o.empty() ? nullptr : o.data())
-  {
-  }
-  BoxReader boxes;
-  const std::uint32_t* order = nullptr;
-};
-
 /// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: measures how good an
 /// order is. Of very many leaves some ten thousand stand for all.
-double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits);
+double LeafSurface(const BoxReader& boxes, std::uint32_t leafBits);
 
 /// An order serves boxes that have moved until they leave the leaves this much more surface than when it was found.
 constexpr double orderDecay = 1.2;
 
 /// Builds the nodes over boxes in the order of MakeKdOrder(), so much wider than these as the arithmetic of the
 /// traversal needs (BoxRay in Programs/tree.glsl).
-GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
+GlyphTree BuildGlyphTree(const BoxReader& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
 
 } // namespace rtg

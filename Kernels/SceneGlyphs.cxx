@@ -157,7 +157,6 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
     const std::size_t count = std::min<std::size_t>(this->glyphsPerRun, set.count - at);
     placed.runs.push_back({ static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), {} });
   }
-  const std::vector<std::uint32_t>& order = set.sorted.order;
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
   for (std::size_t slice = 0; slice < slices; ++slice)
   {
@@ -166,13 +165,13 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
     {
       own = GlyphBoxes(set.instances, double(slice) / double(slices), double(slice + 1) / double(slices));
     }
-    const BoxReader read = moves ? BoxReader(own, SlabPadding(placed.builtReach)) : boxes;
+    const BoxReader read(moves ? BoxReader(own, SlabPadding(placed.builtReach)) : boxes, set.sorted.order);
     for (GlyphRun& run : placed.runs)
     {
       std::vector<vk::AabbPositionsKHR> positions(run.count);
       for (std::uint32_t i = 0; i < run.count; ++i)
       {
-        positions[i] = ToVulkan(read[order.empty() ? run.first + i : order[run.first + i]]);
+        positions[i] = ToVulkan(read[run.first + i]);
       }
       run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
     }
@@ -187,7 +186,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
   GlyphTree tree;
   if (!set.instances.motion.Any())
   {
-    const OrderedBoxes ordered(boxes, sorted.order);
+    const BoxReader ordered(boxes, sorted.order);
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const double leavesMet =
       LeafSurface(ordered, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
