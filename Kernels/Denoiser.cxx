@@ -63,29 +63,81 @@ public:
     {
       this->guides_[i] = { IsFinite(glm::vec3(means[i])) ? guides.normals[i] : glm::vec3(0.0f), guides.viewDepths[i] };
     }
-    this->ForRows([this](int y) { this->FindSlopes(y); });
+    this->ForKnown([this](int x, int y, std::size_t at) { this->slopes_[at] = this->SlopeAt(x, y); });
   }
 
-  // Calls `row` with each row's number, on all cores.
-  template <class Row>
-  void ForRows(Row&& row) const
+  bool Known(std::size_t at) const { return this->guides_[at].normal != glm::vec3(0.0f); }
+
+  // The variance of the luminance around each pixel, over pixels alike.
+  void EstimateVariance(std::vector<Estimate>& lights) const
+  {
+    this->ForKnown(
+      [&](int x, int y, std::size_t at)
+      {
+        float weights = 0.0f, sum = 0.0f, squares = 0.0f;
+        this->ForTaps<2>(x, y, 1,
+          [&](std::size_t other, int dx, int dy)
+          {
+            const float weight = this->Alike(at, other, distances[dx][dy], 0.0f);
+            const float luminance = Luminance(glm::vec3(lights[other]));
+            weights += weight;
+            sum += weight * luminance;
+            squares += weight * luminance * luminance;
+          });
+        lights[at].w = std::max(0.0f, squares / weights - sum * sum / (weights * weights));
+      });
+  }
+
+  // One level of the transform: a smoother image from one of taps `step` apart.
+  std::vector<Estimate> Smooth(const std::vector<Estimate>& lights, int step) const
+  {
+    std::vector<Estimate> smooth(lights);
+    this->ForKnown([&](int x, int y, std::size_t at) { smooth[at] = this->SmoothPixel(lights, x, y, step); });
+    return smooth;
+  }
+
+private:
+  std::size_t At(int x, int y) const { return static_cast<std::size_t>(y) * this->width_ + x; }
+
+  bool Inside(int x, int y) const { return x >= 0 && y >= 0 && x < this->width_ && y < this->height_; }
+
+  // Calls visit(x, y, At(x, y)) for each pixel that is known, on all cores.
+  template <class Visit>
+  void ForKnown(const Visit& visit) const
   {
     ParallelFor(static_cast<std::size_t>(this->height_),
-      [this, &row](std::size_t y)
+      [&](std::size_t row)
       {
         if (this->stop_.stop_requested())
         {
           throw Error("Ray Traced Glyphs: denoising was stopped.");
         }
-        row(static_cast<int>(y));
+        for (int x = 0; x < this->width_; ++x)
+        {
+          const int y = static_cast<int>(row);
+          if (this->Known(this->At(x, y)))
+          {
+            visit(x, y, this->At(x, y));
+          }
+        }
       });
   }
 
-  std::size_t At(int x, int y) const { return static_cast<std::size_t>(y) * this->width_ + x; }
-
-  bool Inside(int x, int y) const { return x >= 0 && y >= 0 && x < this->width_ && y < this->height_; }
-
-  bool Known(std::size_t at) const { return this->guides_[at].normal != glm::vec3(0.0f); }
+  // Calls visit(other, dx, dy) for the pixels of the image up to `reach` steps from one, so many to the side.
+  template <int reach, class Visit>
+  void ForTaps(int x, int y, int step, const Visit& visit) const
+  {
+    for (int dy = -reach; dy <= reach; ++dy)
+    {
+      for (int dx = -reach; dx <= reach; ++dx)
+      {
+        if (this->Inside(x + dx * step, y + dy * step))
+        {
+          visit(this->At(x + dx * step, y + dy * step), std::abs(dx), std::abs(dy));
+        }
+      }
+    }
+  }
 
   // How likely two pixels, `distance` apart, see the same smooth surface, and light `apart` standard deviations from
   // each other is noise; in [0, 1]. The first of them is known.
@@ -103,104 +155,38 @@ public:
     return c32 * c32 * Falloff(std::abs(first.depth - second.depth) / tolerance + apart);
   }
 
-  // The variance of the luminance around each pixel, over pixels alike.
-  void EstimateVariance(std::vector<Estimate>& lights) const
-  {
-    this->ForRows(
-      [&](int y)
-      {
-        for (int x = 0; x < this->width_; ++x)
-        {
-          const std::size_t at = this->At(x, y);
-          if (!this->Known(at))
-          {
-            continue;
-          }
-          float weights = 0.0f, sum = 0.0f, squares = 0.0f;
-          for (int dy = -2; dy <= 2; ++dy)
-          {
-            for (int dx = -2; dx <= 2; ++dx)
-            {
-              if (this->Inside(x + dx, y + dy))
-              {
-                const std::size_t other = this->At(x + dx, y + dy);
-                const float weight = this->Alike(at, other, distances[std::abs(dx)][std::abs(dy)], 0.0f);
-                const float luminance = Luminance(glm::vec3(lights[other]));
-                weights += weight;
-                sum += weight * luminance;
-                squares += weight * luminance * luminance;
-              }
-            }
-          }
-          lights[at].w = std::max(0.0f, squares / weights - sum * sum / (weights * weights));
-        }
-      });
-  }
-
-  // One level of the transform: a smoother image from one of taps `step` apart.
-  std::vector<Estimate> Smooth(const std::vector<Estimate>& lights, int step) const
-  {
-    std::vector<Estimate> smooth(lights);
-    this->ForRows(
-      [&](int y)
-      {
-        for (int x = 0; x < this->width_; ++x)
-        {
-          const std::size_t at = this->At(x, y);
-          if (this->Known(at))
-          {
-            smooth[at] = this->SmoothPixel(lights, x, y, step);
-          }
-        }
-      });
-    return smooth;
-  }
-
-private:
   // Steepest of the depth differences to neighbors along one line: at an edge only one side does.
-  void FindSlopes(int y)
+  float SlopeAt(int x, int y) const
   {
-    for (int x = 0; x < this->width_; ++x)
+    float steepest = 0.0f;
+    for (const auto& [dx, dy] : { std::pair(1, 0), std::pair(0, 1) })
     {
-      const std::size_t at = this->At(x, y);
-      if (!this->Known(at))
+      float least = INFINITY;
+      for (int side : { -1, 1 })
       {
-        continue;
-      }
-      float steepest = 0.0f;
-      for (const auto& [dx, dy] : { std::pair(1, 0), std::pair(0, 1) })
-      {
-        float least = INFINITY;
-        for (int side : { -1, 1 })
+        const int otherX = x + side * dx, otherY = y + side * dy;
+        if (this->Inside(otherX, otherY) && this->Known(this->At(otherX, otherY)))
         {
-          if (this->Inside(x + side * dx, y + side * dy) && this->Known(this->At(x + side * dx, y + side * dy)))
-          {
-            least = std::min(
-              least, std::abs(this->guides_[this->At(x + side * dx, y + side * dy)].depth - this->guides_[at].depth));
-          }
+          const float depth = this->guides_[this->At(otherX, otherY)].depth;
+          least = std::min(least, std::abs(depth - this->guides_[this->At(x, y)].depth));
         }
-        steepest = std::max(steepest, std::isinf(least) ? 0.0f : least);
       }
-      this->slopes_[at] = steepest;
+      steepest = std::max(steepest, std::isinf(least) ? 0.0f : least);
     }
+    return steepest;
   }
 
   // Noise around a pixel, itself less noisy than one pixel's estimate.
   float Deviation(const std::vector<Estimate>& lights, int x, int y) const
   {
     float sum = 0.0f, weights = 0.0f;
-    for (int dy = -1; dy <= 1; ++dy)
-    {
-      for (int dx = -1; dx <= 1; ++dx)
+    this->ForTaps<1>(x, y, 1,
+      [&](std::size_t other, int dx, int dy)
       {
-        if (this->Inside(x + dx, y + dy) && this->Known(this->At(x + dx, y + dy)))
-        {
-          const float weight = 1.0f / float(1 << (std::abs(dx) + std::abs(dy)));
-          sum += weight * lights[this->At(x + dx, y + dy)].w;
-          weights += weight;
-        }
-      }
-    }
+        const float weight = this->Known(other) ? 1.0f / float(1 << (dx + dy)) : 0.0f;
+        sum += weight * lights[other].w;
+        weights += weight;
+      });
     return std::sqrt(sum / weights);
   }
 
@@ -212,31 +198,23 @@ private:
       1.0f / (lightTolerance * (step == 1 ? this->Deviation(lights, x, y) : std::sqrt(lights[at].w)) + 1e-6f);
     glm::vec3 light(0.0f);
     float variance = 0.0f, weights = 0.0f;
-    for (int dy = -1; dy <= 1; ++dy)
-    {
-      for (int dx = -1; dx <= 1; ++dx)
+    this->ForTaps<1>(x, y, step,
+      [&](std::size_t other, int dx, int dy)
       {
-        const int px = x + dx * step, py = y + dy * step;
-        if (!this->Inside(px, py))
-        {
-          continue;
-        }
-        const std::size_t other = this->At(px, py);
-        float weight = kernel[std::abs(dx)] * kernel[std::abs(dy)];
+        float weight = kernel[dx] * kernel[dy];
         if (other != at)
         {
-          weight *= this->Alike(at, other, float(step) * distances[std::abs(dx)][std::abs(dy)],
+          weight *= this->Alike(at, other, float(step) * distances[dx][dy],
             std::abs(luminance - Luminance(glm::vec3(lights[other]))) * perSlack);
           if (weight <= 0.0f)
           {
-            continue;
+            return;
           }
         }
         light += weight * glm::vec3(lights[other]);
         variance += weight * weight * lights[other].w;
         weights += weight;
-      }
-    }
+      });
     return Estimate(light / weights, variance / (weights * weights));
   }
 
