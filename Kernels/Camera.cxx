@@ -8,26 +8,20 @@
 namespace rtg
 {
 
-namespace
-{
-
-glm::dvec3 Unproject(const glm::dmat4& clipToWorld, double x, double y, double z)
-{
-  const glm::dvec4 p = clipToWorld * glm::dvec4(x, y, z, 1.0);
-  return glm::dvec3(p) / p.w;
-}
-
-} // namespace
-
 Camera Camera::FromWorldToClip(const glm::dmat4& worldToClip)
 {
   const glm::dmat4 inverse = glm::inverse(worldToClip);
-  const glm::dvec3 near0 = Unproject(inverse, 0, 0, -1);
-  const glm::dvec3 nearX = Unproject(inverse, 1, 0, -1);
-  const glm::dvec3 nearY = Unproject(inverse, 0, 1, -1);
-  const glm::dvec3 far0 = Unproject(inverse, 0, 0, 1);
-  const glm::dvec3 farX = Unproject(inverse, 1, 0, 1);
-  const glm::dvec3 farY = Unproject(inverse, 0, 1, 1);
+  const auto unproject = [&](double x, double y, double z)
+  {
+    const glm::dvec4 p = inverse * glm::dvec4(x, y, z, 1.0);
+    return glm::dvec3(p) / p.w;
+  };
+  const glm::dvec3 near0 = unproject(0, 0, -1);
+  const glm::dvec3 nearX = unproject(1, 0, -1);
+  const glm::dvec3 nearY = unproject(0, 1, -1);
+  const glm::dvec3 far0 = unproject(0, 0, 1);
+  const glm::dvec3 farX = unproject(1, 0, 1);
+  const glm::dvec3 farY = unproject(0, 1, 1);
   if (!IsFinite(near0) || !IsFinite(nearX) || !IsFinite(nearY) || !IsFinite(far0) || !IsFinite(farX) ||
     !IsFinite(farY) || near0 == far0)
   {
