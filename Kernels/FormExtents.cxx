@@ -46,6 +46,20 @@ void Include(Sizes& all, const Sizes& own)
   }
 }
 
+FormExtent ExtentOf(double radius, const Sizes& bounds, double rounding)
+{
+  FormExtent extent;
+  extent.radius = radius;
+  extent.bound = bounds[0] + rounding;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent.reach[axis] = std::min(bounds[axis + 1] + rounding, extent.bound);
+  }
+  // Denormal or infinite: nothing to divide by
+  const bool usable = std::isnormal(extent.bound) && std::isfinite(extent.bound) && extent.radius > 0.0;
+  return usable ? extent : FormExtent();
+}
+
 } // namespace
 
 FormMeter::FormMeter(int degree)
@@ -183,23 +197,6 @@ FormMeter::Samples FormMeter::Sample(const double* coefficients) const
   }
   return samples;
 }
-
-namespace
-{
-FormExtent ExtentOf(double radius, const Sizes& bounds, double rounding)
-{
-  FormExtent extent;
-  extent.radius = radius;
-  extent.bound = bounds[0] + rounding;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent.reach[axis] = std::min(bounds[axis + 1] + rounding, extent.bound);
-  }
-  // Denormal or infinite: nothing to divide by
-  const bool usable = std::isnormal(extent.bound) && std::isfinite(extent.bound) && extent.radius > 0.0;
-  return usable ? extent : FormExtent();
-}
-} // namespace
 
 FormExtent FormMeter::MeasureRoughly(const double* coefficients) const
 {
