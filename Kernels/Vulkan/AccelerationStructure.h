@@ -27,7 +27,6 @@ public:
   OverInstances(Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances);
 
   vk::DeviceAddress Address() const { return this->address_; }
-  std::size_t Bytes() const { return this->storage_.Size(); }
 
 private:
   AccelerationStructure(Device::State& device, const vk::AccelerationStructureGeometryKHR& geometry,
