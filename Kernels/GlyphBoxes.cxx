@@ -80,11 +80,8 @@ struct Subject
 {
   Subject(const GlyphInstances& glyphs, double firstTime, double lastTime)
     : instances(glyphs)
+    , form(glyphs.shape == Shape::Mesh ? BoundsOf(*glyphs.mesh, firstTime, lastTime) : DoubleBox())
   {
-    if (glyphs.shape == Shape::Mesh)
-    {
-      this->form = BoundsOf(*glyphs.mesh, firstTime, lastTime);
-    }
   }
 
   const GlyphInstances& instances;
