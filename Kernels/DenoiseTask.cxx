@@ -13,11 +13,6 @@
 namespace rtg
 {
 
-namespace
-{
-constexpr float groundDepth = 0.0f;
-}
-
 std::vector<std::uint32_t> DenoiseTask::operator()()
 {
   Stopwatch watch;
@@ -28,6 +23,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
       this->image_.albedos.begin(), this->image_.albedos.end(), this->image_.albedos.begin(), shading::DisplayToLinear);
   }
   // The ground is a white surface whose light is what it lacks. Its depth, which no glyph has, tells it from glyphs.
+  constexpr float groundDepth = 0.0f;
   for (std::size_t i = 0; i < this->missingLight_.size(); ++i)
   {
     if (this->image_.normals[i] == glm::vec3(0.0f))

@@ -14,12 +14,6 @@ namespace rtg
 namespace
 {
 
-Box Union(Box a, const Box& b)
-{
-  a.Include(b);
-  return a;
-}
-
 Box LeafBox(const BoxReader& boxes, std::size_t leaf, std::uint32_t leafBits)
 {
   const std::size_t last = GlyphTree::Start(leaf + 1, boxes.Count(), leafBits);
@@ -421,7 +415,7 @@ GlyphTree BuildGlyphTree(const BoxReader& boxes, std::uint32_t leafBits, const s
           leaves[child] = LeafBox(boxes, children * i + child, leafBits);
         }
         const Box* const parts = lowest ? leaves : &below[children * i];
-        current[i] = std::accumulate(parts, parts + children, Box(), Union);
+        std::for_each(parts, parts + children, [&](const Box& part) { current[i].Include(part); });
         const std::size_t node = GlyphTree::LevelOffset(level) + i;
         tree.nodes[node] = Quantize(current[i], parts, children, axes[node]);
       });

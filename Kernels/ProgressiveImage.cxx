@@ -21,11 +21,6 @@ std::size_t Pixels(const ImageView& view)
   return std::size_t(view.settings.width) * view.settings.height;
 }
 
-bool IsNoisy(const ImageView& view)
-{
-  return TraitsOf(view.settings).scatters;
-}
-
 } // namespace
 
 ImageView Settled(ImageView view, const ImageView& kept)
@@ -61,7 +56,7 @@ ImageView Settled(ImageView view, const ImageView& kept)
 bool Denoises(const ImageView& view, const ImageEffort& effort)
 {
   const bool grows = !effort.exact || effort.seconds > 0.0 || effort.samplesAtOnce > 0;
-  return IsNoisy(view) &&
+  return TraitsOf(view.settings).scatters &&
     (effort.denoising == Denoising::Always || (effort.denoising == Denoising::WhileGrowing && grows));
 }
 

@@ -13,11 +13,6 @@ namespace rtg
 namespace
 {
 
-vk::AabbPositionsKHR ToVulkan(const Box& box)
-{
-  return vk::AabbPositionsKHR(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
-}
-
 // One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
 constexpr std::size_t glyphsPerLeaf = 2;
 // Where a line meets more leaves than this on average, rays soon find what stops them, and culling what lies behind
@@ -171,7 +166,8 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
       std::vector<vk::AabbPositionsKHR> positions(run.count);
       for (std::uint32_t i = 0; i < run.count; ++i)
       {
-        positions[i] = ToVulkan(read[run.first + i]);
+        const auto [lower, upper] = read[run.first + i];
+        positions[i] = vk::AabbPositionsKHR(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z);
       }
       run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
     }

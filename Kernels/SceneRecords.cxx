@@ -11,18 +11,6 @@
 namespace rtg
 {
 
-namespace
-{
-
-// Fraction of light that a surface of that refractive index reflects straight back (Fresnel).
-float NormalReflectance(float ior)
-{
-  const float root = (ior - 1.0f) / (ior + 1.0f);
-  return root * root;
-}
-
-} // namespace
-
 // Every mesh glyph at rest is an instance of the driver's structure, every other set one or a few.
 void Scene::State::CheckInstanceCount() const
 {
@@ -207,7 +195,9 @@ void Scene::State::FillRecords()
         device::SIGN_COLORS | device::DIRECTION_COLORS);
       record.colorTable = at(placed.colorTable, 0);
       record.colorTableSize = static_cast<std::uint32_t>(colors.table.size());
-      record.coatReflectance = NormalReflectance(set.material.coatIor);
+      // What the coat reflects straight back (Fresnel)
+      const float coatRoot = (set.material.coatIor - 1.0f) / (set.material.coatIor + 1.0f);
+      record.coatReflectance = coatRoot * coatRoot;
       if (const TriangleMesh* source = placed.mesh.source.get())
       {
         const PlacedMesh& mesh = placed.mesh;

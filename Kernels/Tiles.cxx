@@ -5,23 +5,14 @@
 namespace rtg
 {
 
-namespace
-{
-
-// A number of tiles that has no common divisor with their count and whose multiples, of all tiles, fit into 32 bits.
-std::uint32_t StrideOf(std::uint32_t count)
-{
-  const std::uint64_t most = std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u));
-  return CoprimeUpTo(static_cast<std::uint32_t>(most), count);
-}
-
-} // namespace
-
 Tiling::Tiling(const TraceSettings& settings)
   : columns_(DivideUp(settings.width, tileSize))
   , count_(this->columns_ * DivideUp(settings.height, tileSize))
-  , stride_(StrideOf(this->count_))
 {
+  // Its multiples, for all tiles, fit into 32 bits.
+  const std::uint64_t most =
+    std::min<std::uint64_t>(this->count_ * 5ull / 13, 0xffffffffull / std::max(this->count_, 1u));
+  this->stride_ = CoprimeUpTo(static_cast<std::uint32_t>(most), this->count_);
   // Tiles that follow each other are scattered already.
   const auto boundary = [&](std::uint32_t part)
   { return static_cast<std::uint32_t>(std::uint64_t(this->count_) * part / settings.parts); };

@@ -15,14 +15,6 @@
 namespace rtg
 {
 
-namespace
-{
-
-/// Interval at which a wait for a program calls the interrupt callback.
-constexpr std::chrono::milliseconds compilingPatience(20);
-
-} // namespace
-
 struct Tracer::State
 {
   // An image, or further samples of one, in the making.
@@ -170,7 +162,8 @@ void Tracer::State::Run(const Interrupt& interrupt)
   if (work.image.samples < settings.samples)
   {
     const std::shared_ptr<Program> program = this->shared->ProgramFor(work.specialization);
-    // Compiling may take many seconds.
+    // Compiling may take many seconds: the callback is called at this interval meanwhile.
+    constexpr std::chrono::milliseconds compilingPatience(20);
     while (!stopped && program->compiled.wait_for(compilingPatience) != std::future_status::ready)
     {
       stopped = interruptible && interrupt(work.TracedFraction());

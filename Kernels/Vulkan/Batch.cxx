@@ -6,15 +6,6 @@
 namespace rtg
 {
 
-namespace
-{
-
-/// More than this is copied before the batch goes on. It fits into one shared block of memory, which is kept: NVIDIA's
-/// driver takes a third of a millisecond for each megabyte of the host's memory that it is to see.
-constexpr std::size_t mostStaged = 3 * Batch::mostAtOnce;
-
-} // namespace
-
 thread_local Batch* Device::State::batch = nullptr;
 
 Batch::Batch(Device::State& device)
@@ -30,6 +21,9 @@ Batch::~Batch()
 
 void* Batch::Stage(const Buffer& target, std::size_t offset, std::size_t size)
 {
+  // More than this is copied before the batch goes on. It fits into one shared block of memory, which is kept: NVIDIA's
+  // driver takes a third of a millisecond for each megabyte of the host's memory that it is to see.
+  constexpr std::size_t mostStaged = 3 * mostAtOnce;
   if (this->staged_ > 0 && this->staged_ + size > mostStaged)
   {
     this->Run();

@@ -9,14 +9,6 @@
 namespace rtg
 {
 
-namespace
-{
-
-/// Enough for acceleration structures, tables and programs on every driver.
-constexpr vk::DeviceSize leastAlignment = 256;
-
-} // namespace
-
 struct MemoryPiece::Block
 {
   vk::raii::DeviceMemory memory{ nullptr };
@@ -120,6 +112,7 @@ Memory::Allocate(const vk::raii::Device& device, const vk::MemoryRequirements& n
 {
   const std::lock_guard<std::mutex> lock(this->mutex_);
   MemoryPiece piece;
+  constexpr vk::DeviceSize leastAlignment = 256; // enough for structures, tables and programs on every driver
   // Gaps start and end at multiples of that, so none is too small to be used again.
   piece.size_ = AlignUp(needs.size, leastAlignment);
   const vk::DeviceSize alignment = std::max(needs.alignment, leastAlignment);
