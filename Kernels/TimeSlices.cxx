@@ -3,24 +3,10 @@
 #include "Parallel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace rtg
 {
-
-namespace
-{
-
-// Surface of the leaves beyond which a slice is sorted for itself. Few slices need it when the first does not, which is
-// the furthest from the middle.
-double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits)
-{
-  const double own = LeafSurface({ first, MakeKdOrder(first, leafBits).order }, leafBits);
-  return LeafSurface(first, leafBits) > orderDecay * own ? orderDecay * own : INFINITY;
-}
-
-} // namespace
 
 std::uint32_t ChooseSliceBits(std::size_t count, std::size_t bytesPerSlice,
   const std::function<DoubleBox(std::size_t, double)>& still,
@@ -64,17 +50,15 @@ GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std
   tree.nodesPerSlice = static_cast<std::uint32_t>(axes.size());
   tree.nodes.resize(count * axes.size());
   std::size_t things = 0;
-  double tooLarge = INFINITY;
+  double mostSurface = 0.0; // of the leaves, beyond which a slice is sorted for itself
   if (sorts && count > 1)
   {
+    // Few slices need it when the first does not, which is the furthest from the middle.
     const std::vector<Box> first = boxesOf(0);
-    things = first.size();
-    tooLarge = SurfaceToSort(first, leafBits);
+    mostSurface = orderDecay * LeafSurface({ first, MakeKdOrder(first, leafBits).order }, leafBits);
+    things = LeafSurface(first, leafBits) > mostSurface ? first.size() : 0;
   }
-  if (tooLarge < INFINITY)
-  {
-    tree.order.resize(count * things);
-  }
+  tree.order.resize(count * things);
   ParallelFor(count,
     [&](std::size_t slice)
     {
@@ -84,7 +68,7 @@ GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std
       {
         const auto places = tree.order.begin() + slice * things;
         std::iota(places, places + things, 0u);
-        if (LeafSurface(boxes, leafBits) > tooLarge)
+        if (LeafSurface(boxes, leafBits) > mostSurface)
         {
           kd = MakeKdOrder(boxes, leafBits);
           std::copy(kd.order.begin(), kd.order.end(), places);
