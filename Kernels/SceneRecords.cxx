@@ -57,14 +57,6 @@ void Scene::State::BuildTopLevels()
   this->statistics->buildSeconds += watch.Lap();
 }
 
-// Bounds in the scene's coordinates.
-Box Scene::State::BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const
-{
-  const glm::vec3 offset(set.instances.origin + image.offset - this->records.origin);
-  const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
-  return moved.Widened(SlabPadding(moved.Reach()));
-}
-
 std::vector<GlyphSet::Image> GlyphSet::Images() const
 {
   std::vector<Image> result{ { glm::dvec3(0.0), true } };
@@ -225,10 +217,12 @@ void Scene::State::FillRecords()
     // Each periodic image has the same records at another place.
     for (const GlyphSet::Image& image : set.Images())
     {
-      const Box bounds = this->BoundsOf(set, image);
+      const glm::dvec3 offset = set.instances.origin + image.offset - this->records.origin;
+      const Box moved{ set.bounds.lower + glm::vec3(offset), set.bounds.upper + glm::vec3(offset) };
+      const Box bounds = moved.Widened(SlabPadding(moved.Reach()));
       for (device::GlyphSetRecord record : runs)
       {
-        Split(set.instances.origin + image.offset - this->records.origin, record.offset, record.offsetLow);
+        Split(offset, record.offset, record.offsetLow);
         record.lower = bounds.lower;
         record.upper = bounds.upper;
         record.mask = set.Mask(image.shown);

@@ -153,12 +153,8 @@ struct GlyphSet
   /// How far images are at most along each axis.
   glm::dvec3 ImageReach() const
   {
-    glm::dvec3 reach(0.0);
-    for (int i = 0; i < 3; ++i)
-    {
-      reach += static_cast<double>(this->images.lit[i]) * glm::abs(this->images.edges[i]);
-    }
-    return reach;
+    const auto& [edges, shown, lit] = this->images;
+    return double(lit.x) * glm::abs(edges[0]) + double(lit.y) * glm::abs(edges[1]) + double(lit.z) * glm::abs(edges[2]);
   }
 };
 
@@ -234,7 +230,6 @@ struct Scene::State
   void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const BoxReader& boxes);
   void CheckInstanceCount() const;
   void BuildTopLevels();
-  Box BoundsOf(const GlyphSet& set, const GlyphSet::Image& image) const;
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
   void FillSection(GlyphSet& set, device::GlyphSetRecord& record) const;
