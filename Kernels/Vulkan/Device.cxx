@@ -98,12 +98,6 @@ std::string DeviceName(const vk::raii::PhysicalDevice& physical)
   return physical.getProperties().deviceName.data();
 }
 
-bool ContainsIgnoringCase(const std::string& text, const std::string& part)
-{
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
-
 // The index of the device that `wanted` names by number or part of its name. A number that no device has, such as 4090,
 // is part of a name.
 std::optional<std::size_t> FindNamed(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
@@ -116,9 +110,11 @@ std::optional<std::size_t> FindNamed(const std::vector<vk::raii::PhysicalDevice>
       return index;
     }
   }
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
-    if (ContainsIgnoringCase(DeviceName(devices[i]), wanted))
+    const std::string name = DeviceName(devices[i]);
+    if (std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same) != name.end())
     {
       return i;
     }

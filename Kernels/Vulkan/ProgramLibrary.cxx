@@ -59,11 +59,6 @@ bool IsCompiling(const Program& program)
   return program.compiled.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
 }
 
-bool HasFailed(const std::shared_ptr<Program>& program)
-{
-  return !IsCompiling(*program) && !program->pipeline;
-}
-
 } // namespace
 
 ProgramLibrary::ProgramLibrary(Device::State& device)
@@ -81,7 +76,8 @@ ProgramLibrary::~ProgramLibrary()
 std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specialization& specialization)
 {
   const std::lock_guard<std::mutex> lock(this->mutex_);
-  std::erase_if(this->programs_, HasFailed);
+  const auto hasFailed = [](const auto& program) { return !IsCompiling(*program) && !program->pipeline; };
+  std::erase_if(this->programs_, hasFailed);
   std::shared_ptr<Program> program = this->Find(specialization);
   const bool begins = !program;
   if (begins)
