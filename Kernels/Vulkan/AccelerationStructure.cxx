@@ -24,18 +24,7 @@ AccelerationStructure::AccelerationStructure(Device::State& device,
     vk::AccelerationStructureCreateInfoKHR({}, this->storage_.Handle(), 0, sizes.accelerationStructureSize, type));
 
   info.dstAccelerationStructure = *this->structure_;
-  const auto build = [&](Batch& batch)
-  { batch.Build(info, geometry, count, sizes.buildScratchSize, std::move(input)); };
-  if (device.batch)
-  {
-    build(*device.batch);
-  }
-  else
-  {
-    Batch batch(device);
-    build(batch);
-    batch.Run();
-  }
+  device.batch->Build(info, geometry, count, sizes.buildScratchSize, std::move(input));
   this->address_ =
     device.device.getAccelerationStructureAddressKHR(vk::AccelerationStructureDeviceAddressInfoKHR(*this->structure_));
 }

@@ -7,8 +7,8 @@
 namespace rtg
 {
 
-/// A bottom- or top-level acceleration structure with the memory that holds it. It is built at once, or with the
-/// device's batch where there is one.
+/// A bottom- or top-level acceleration structure with the memory that holds it. It is built with the thread's Batch,
+/// which there must be.
 class AccelerationStructure
 {
 public:

@@ -59,7 +59,7 @@ struct Device::State
   vk::raii::DescriptorSetLayout frameLayout{ nullptr }; ///< of all programs: the uniform block of a launch
   vk::raii::PipelineLayout programLayout{ nullptr };
   std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
-  static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each is done at once
+  static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each copy is done at once
 
   /// Records commands, submits them and waits until they are done. In any thread.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
