@@ -1,7 +1,5 @@
 #include "Pipeline.h"
 
-#include "Specialize.h"
-
 namespace rtg
 {
 

@@ -6,6 +6,7 @@
 #include "../HostDevice.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace rtg
 {
@@ -28,6 +29,11 @@ struct Specialization
 
   bool operator==(const Specialization&) const = default;
 };
+
+/// A program whose specialization constants have these values, without the branches that are then never taken and
+/// without the functions that are called in these alone. Drivers inline every function before they look at constants,
+/// which takes seconds for shapes that are not there. Throws rtg::Error.
+std::vector<std::uint32_t> Specialize(const programs::Code& code, const Constants& constants);
 
 /// The uniform block of a launch, and the descriptor by which programs see it.
 class FrameBlock

@@ -1,4 +1,4 @@
-#include "Specialize.h"
+#include "Pipeline.h"
 
 #include "../Shapes/List.h"
 

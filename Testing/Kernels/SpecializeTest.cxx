@@ -1,8 +1,8 @@
 // Programs are valid for all values of their constants, and hold no more than these ask for.
 #include "HostDevice.h"
 #include "Shading/List.h"
+#include "Vulkan/Pipeline.h"
 #include "Vulkan/Programs.h"
-#include "Vulkan/Specialize.h"
 
 #include <gtest/gtest.h>
 #include <spirv-tools/libspirv.hpp>
