@@ -1,13 +1,15 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
-#include "RayTracedDomains.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVXMLElement.h"
 #include "vtkRenderer.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyDefinitionManager.h"
 #include "vtkSMProxyIterator.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
 
 #include <array>
 #include <cmath>
@@ -43,9 +45,14 @@ bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std:
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
+// The class of a proxy is the name of its definition's element.
+void vtkSMRayTracedPickingHelperProxy::Install(vtkSMProxy* proxy)
 {
-  rtglyphs::RayTracedDomains::Register(); // of the kinds of its properties
+  vtkSMProxyDefinitionManager* definitions = proxy->GetSessionProxyManager()->GetProxyDefinitionManager();
+  if (vtkPVXMLElement* helper = definitions->GetCollapsedProxyDefinition("misc", "PickingHelper", nullptr, false))
+  {
+    helper->SetName("RayTracedPickingHelperProxy");
+  }
 }
 
 //----------------------------------------------------------------------------

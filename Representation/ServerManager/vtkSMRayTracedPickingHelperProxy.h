@@ -5,7 +5,7 @@
  * ParaView picks points in space (the center of rotation, those of widgets) by intersecting a cell of the data with the
  * ray of the pixel. The cells of glyphs are vertices, or there are none, and no ray hits those: where the data are
  * shown ray traced, the point is that of the surface traced in the pixel. It takes the place of ParaView's
- * PickingHelper proxy, and does what that does for everything else.
+ * PickingHelper proxy from the first display on, and does what that does for everything else.
  */
 #ifndef vtkSMRayTracedPickingHelperProxy_h
 #define vtkSMRayTracedPickingHelperProxy_h
@@ -19,8 +19,13 @@ public:
   static vtkSMRayTracedPickingHelperProxy* New();
   vtkTypeMacro(vtkSMRayTracedPickingHelperProxy, vtkSMProxy);
 
+  /**
+   * Makes proxies of this class, with ParaView's definition, in the session of a proxy.
+   */
+  static void Install(vtkSMProxy* proxy);
+
 protected:
-  vtkSMRayTracedPickingHelperProxy();
+  vtkSMRayTracedPickingHelperProxy() = default;
   ~vtkSMRayTracedPickingHelperProxy() override = default;
 
   void UpdatePropertyInformationInternal(vtkSMProperty* property) override;

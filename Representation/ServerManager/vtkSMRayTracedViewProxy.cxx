@@ -14,6 +14,7 @@
 #include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRayTracedPickingHelperProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtk_nlohmannjson.h"
@@ -77,6 +78,7 @@ vtkSMRayTracedViewProxy* vtkSMRayTracedViewProxy::Of(vtkSMProxy* view)
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMProxy* display, vtkSMProxy* view)
 {
+  vtkSMRayTracedPickingHelperProxy::Install(display);
   vtkSMProxy* settings = SettingsOf(display);
   vtkSmartPointer<vtkSMRayTracedViewProxy> owner = Of(view);
   if (owner)
