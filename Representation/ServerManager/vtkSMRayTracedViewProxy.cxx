@@ -215,10 +215,10 @@ std::vector<std::pair<std::string, int>> vtkSMRayTracedViewProxy::SettingsOfQual
   for (unsigned int i = 0; i < hints->GetNumberOfNestedElements(); ++i)
   {
     vtkPVXMLElement* one = hints->GetNestedElement(i);
-    int of = 0, value = 0;
-    if (one->GetScalarAttribute("quality", &of) && of == quality && one->GetScalarAttribute("value", &value))
+    int values[4] = {};
+    if (quality > 0 && one->GetVectorAttribute("values", 4, values) >= quality)
     {
-      meant.emplace_back(one->GetAttributeOrEmpty("property"), value);
+      meant.emplace_back(one->GetAttributeOrEmpty("property"), values[quality - 1]);
     }
   }
   return meant;
