@@ -38,16 +38,6 @@ using List = vtkSMRayTracedArrayListDomain;
 
 int choosing = 0; // scopes
 
-// ParaView names a display's representations to subclasses of its proxies only.
-struct Display : vtkSMProxy
-{
-  static vtkSMProxy* Representation(vtkSMProxy* display, const char* name)
-  {
-    vtkSMProxy* (vtkSMProxy::*representation)(const char*) = &Display::GetSubProxy;
-    return (display->*representation)(name);
-  }
-};
-
 // What follows the data while the second property is on.
 struct FromData
 {
@@ -131,7 +121,8 @@ bool rtglyphs::RayTracedChoices::IsChoosing()
 //----------------------------------------------------------------------------
 vtkSMProxy* rtglyphs::RayTracedChoices::GlyphsOf(vtkSMProxy* display)
 {
-  return Display::Representation(display, "RayTracedRepresentation");
+  vtkSMProperty* exposed = display->GetProperty("GlyphShape");
+  return exposed ? exposed->GetParent() : nullptr;
 }
 
 //----------------------------------------------------------------------------
