@@ -36,12 +36,6 @@ bool vtkSMRayTracedRepresentationProxy::IsShown()
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedViewProxy* vtkSMRayTracedRepresentationProxy::GetView()
-{
-  return this->View;
-}
-
-//----------------------------------------------------------------------------
 // Information on the data comes from the processes that have them.
 void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {

@@ -26,11 +26,6 @@ public:
 
   void ViewUpdated(vtkSMProxy* view) override;
 
-  /**
-   * The owner of the view's settings; null: the display is in none.
-   */
-  vtkSMRayTracedViewProxy* GetView();
-
 #ifndef __VTK_WRAP__
   rtglyphs::RayTracedChoices& GetChoices()
   {
@@ -52,7 +47,7 @@ private:
   void ConnectSelection();
   void ChooseDefaults();
 
-  vtkSmartPointer<vtkSMRayTracedViewProxy> View;
+  vtkSmartPointer<vtkSMRayTracedViewProxy> View;   // the owner of its settings; null: the display is in none
   vtkSmartPointer<vtkSMSourceProxy> AtomsAndBonds; // of a molecule, else null
   double Time = 0.0;                               // of the last update
 #ifndef __VTK_WRAP__

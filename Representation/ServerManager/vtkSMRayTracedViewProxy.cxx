@@ -270,17 +270,11 @@ void vtkSMRayTracedViewProxy::Rendered(vtkObject*, unsigned long, void* interact
 }
 
 //----------------------------------------------------------------------------
-bool vtkSMRayTracedViewProxy::IsRenderedRemotely()
-{
-  auto* local = vtkRayTracedView::SafeDownCast(this->GetClientSideObject());
-  return local && local->GetRenderedRemotely();
-}
-
-//----------------------------------------------------------------------------
 // The process that renders answers; with remote rendering that is the server's first rank.
 std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, bool ofAllRanks)
 {
-  const bool remote = this->IsRenderedRemotely();
+  auto* local = vtkRayTracedView::SafeDownCast(this->GetClientSideObject());
+  const bool remote = local && local->GetRenderedRemotely();
   const vtkTypeUInt32 first = remote ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
   const vtkTypeUInt32 all = vtkPVSession::RENDER_SERVER;
   this->ExecuteStream(question, /*ignore_errors=*/false, remote && ofAllRanks ? all : first);

@@ -89,7 +89,6 @@ protected:
   void SetPropertyModifiedFlag(const char* name, int flag) override;
 
 private:
-  bool IsRenderedRemotely();
   std::string Ask(const vtkClientServerStream& question, bool ofAllRanks); // empty: no answer
   std::vector<std::pair<std::string, int>> SettingsOfQuality(int quality);
   void ApplyQuality(const std::string& name);
