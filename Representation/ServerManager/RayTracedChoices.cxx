@@ -524,14 +524,15 @@ void rtglyphs::RayTracedChoices::PullNumbers(vtkSMProxy* glyphs)
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedChoices::Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool visible)
 {
+  const bool shown = visible && ShowsGlyphs(glyphs->GetTrueParentProxy());
   if (visible)
   {
     this->PullNumbers(glyphs);
     this->ChooseTubes(glyphs->GetTrueParentProxy());
-    if (ShowsGlyphs(glyphs->GetTrueParentProxy()))
-    {
-      this->Coloring.Update(glyphs, view);
-    }
   }
-  this->TensorTable.Update(glyphs, view, this->IsUsers("GlyphTensorLookupTable"));
+  if (shown)
+  {
+    this->Coloring.Update(glyphs, view);
+  }
+  this->TensorTable.Update(glyphs, view, shown, this->IsUsers("GlyphTensorLookupTable"));
 }

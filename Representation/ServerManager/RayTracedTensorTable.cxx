@@ -5,7 +5,6 @@
 #include "GlyphTensors.h"
 #include "RayTracedChoices.h"
 #include "vtkNew.h"
-#include "vtkRayTracedRepresentation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMRayTracedArrayListDomain.h"
@@ -17,10 +16,9 @@ namespace
 {
 using Shapes = rtglyphs::GlyphShapes;
 
-// Array and number that visible glyphs are colored by; empty: none.
+// Array and number that glyphs are colored by; empty: none.
 std::string NumberOf(vtkSMProxy* glyphs)
 {
-  auto* local = vtkRayTracedRepresentation::SafeDownCast(glyphs->GetClientSideObject());
   const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
   const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
   const bool number = Shapes::IsPolynomial(shape)
@@ -29,16 +27,14 @@ std::string NumberOf(vtkSMProxy* glyphs)
   const std::string array = vtkSMRayTracedArrayListDomain::Named(
     glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
-  const bool shown = local && local->GetVisibility() &&
-    rtglyphs::RayTracedChoices::ShowsGlyphs(glyphs->GetTrueParentProxy()) && number && !directions && !array.empty();
-  return shown ? array + " " + coloring.GetAsString() : std::string();
+  return number && !directions && !array.empty() ? array + " " + coloring.GetAsString() : std::string();
 }
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool isUsers)
+void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool shown, bool isUsers)
 {
-  const std::string name = NumberOf(glyphs);
+  const std::string name = shown ? NumberOf(glyphs) : "";
   vtkNew<vtkSMTransferFunctionManager> tables;
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
   const auto barOf = [&](const std::string& of)

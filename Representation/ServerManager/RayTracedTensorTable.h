@@ -17,9 +17,9 @@ class RayTracedTensorTable
 public:
   /**
    * Chooses the table of what the glyphs show, with the range of the data, unless it is the user's, and shows its bar
-   * in the view.
+   * in the view. Glyphs that are not shown have no bar.
    */
-  void Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool isUsers);
+  void Update(vtkSMProxy* glyphs, vtkSMProxy* view, bool shown, bool isUsers);
 
 private:
   std::string Name; // of the table and scalar bar that are in use; empty: none
