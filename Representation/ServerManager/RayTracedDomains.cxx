@@ -270,6 +270,7 @@ void rtglyphs::RayTracedDomains::Register()
     RegisterClass<Property<vtkSMDoubleVectorProperty>>("vtkSMRayTracedDoubleVectorProperty");
     RegisterClass<Property<vtkSMIntVectorProperty>>("vtkSMRayTracedIntVectorProperty");
     RegisterClass<ArrayDomain>("vtkSMRayTracedArrayDomain");
+    RegisterClass<vtkSMRayTracedArrayListDomain>("vtkSMRayTracedArrayListDomain");
     RegisterClass<LocationDomain>("vtkSMRayTracedLocationDomain");
     RegisterClass<RadiusDomain>("vtkSMRayTracedRadiusDomain");
     RegisterClass<ScaleDomain>("vtkSMRayTracedScaleDomain");

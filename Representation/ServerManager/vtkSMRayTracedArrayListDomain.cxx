@@ -5,7 +5,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
-#include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
@@ -26,8 +25,6 @@
 #include <iterator>
 #include <map>
 #include <vector>
-
-vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
 
 namespace
 {

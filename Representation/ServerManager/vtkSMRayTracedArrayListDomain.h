@@ -9,11 +9,8 @@
 #ifndef vtkSMRayTracedArrayListDomain_h
 #define vtkSMRayTracedArrayListDomain_h
 
-#ifndef __VTK_WRAP__
 #include "GlyphArrayRoles.h"
-#endif
 #include "vtkNew.h"
-#include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMArrayListDomain.h"
 
 #include <optional>
@@ -24,11 +21,10 @@ class vtkPVDataInformation;
 class vtkPVDataSetAttributesInformation;
 class vtkSMProxy;
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedArrayListDomain : public vtkSMArrayListDomain
+class vtkSMRayTracedArrayListDomain : public vtkSMArrayListDomain
 {
 public:
-  static vtkSMRayTracedArrayListDomain* New();
-  vtkTypeMacro(vtkSMRayTracedArrayListDomain, vtkSMArrayListDomain);
+  vtkAbstractTypeMacro(vtkSMRayTracedArrayListDomain, vtkSMArrayListDomain);
 
   /**
    * Of a property of glyphs.
@@ -42,7 +38,6 @@ public:
 
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
 
-#ifndef __VTK_WRAP__
   using Array = rtglyphs::GlyphArrayRoles::Array;
   using Choice = rtglyphs::GlyphArrayRoles::Choice;
 
@@ -76,12 +71,8 @@ public:
    * Whether glyphs of the data stand at cells: where only these have what GlyphShape shows. Empty: neither has.
    */
   static std::optional<bool> AreAtCells(vtkPVDataInformation* data, int shape);
-#endif
 
 protected:
-  vtkSMRayTracedArrayListDomain() = default;
-  ~vtkSMRayTracedArrayListDomain() override = default;
-
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
   /**
@@ -90,11 +81,9 @@ protected:
   vtkPVDataInformation* GetExtraDataInformation() override;
 
 private:
-#ifndef __VTK_WRAP__
   std::vector<Array> InputArrays();
 
   rtglyphs::GlyphArrayRoles::Role Chosen = rtglyphs::GlyphArrayRoles::SIZE; // by the attribute `choice`
-#endif
   vtkNew<vtkPVDataInformation> JoinedArrays;
 };
 
