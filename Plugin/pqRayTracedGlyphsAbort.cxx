@@ -16,8 +16,6 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include <algorithm>
-
 namespace
 {
 // Milliseconds of a render after which its user is listened to.
@@ -73,18 +71,13 @@ void pqRayTracedGlyphsAbort::shutdown()
 {
   this->Rest.stop();
   this->Observers->Disconnect();
-  this->Watched.clear();
 }
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsAbort::watch(vtkRenderWindow* window)
 {
-  if (std::find(this->Watched.begin(), this->Watched.end(), window) == this->Watched.end())
-  {
-    this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
-    std::erase(this->Watched, nullptr);
-    this->Watched.emplace_back(window);
-  }
+  this->Observers->Disconnect(window); // it may be watched already
+  this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
 }
 
 //----------------------------------------------------------------------------

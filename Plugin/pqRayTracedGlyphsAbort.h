@@ -9,14 +9,11 @@
 #define pqRayTracedGlyphsAbort_h
 
 #include "vtkNew.h"
-#include "vtkWeakPointer.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
-
-#include <vector>
 
 class QWidget;
 class pqProgressWidget;
@@ -95,7 +92,6 @@ private:
   void Listen();
 
   vtkNew<vtkEventQtSlotConnect> Observers;
-  std::vector<vtkWeakPointer<vtkObject>> Watched; ///< windows
   QPointer<pqProgressWidget> Bar;
   QPointer<QWidget> Stop;   ///< the toolbar's button
   QElapsedTimer SinceStart; ///< of the last render
