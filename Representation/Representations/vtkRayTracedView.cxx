@@ -109,12 +109,6 @@ const char* vtkRayTracedView::FindPlace(int x, int y)
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedView::GetRenderedRemotely()
-{
-  return this->View && this->View->GetUseDistributedRenderingForRender();
-}
-
-//----------------------------------------------------------------------------
 bool vtkRayTracedView::FindDevice(std::string& words)
 {
   try

@@ -75,11 +75,6 @@ public:
   const char* FindPlace(int x, int y);
 
   /**
-   * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
-   */
-  bool GetRenderedRemotely();
-
-  /**
    * Whether this process has a Vulkan device to trace with; `words` name it, or what is missing and how to get it.
    * Lists the drivers' devices; no device is made.
    */

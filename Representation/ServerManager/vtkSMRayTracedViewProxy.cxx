@@ -8,10 +8,10 @@
 #include "vtkCompositeRepresentation.h"
 #include "vtkObjectFactory.h"
 #include "vtkNew.h"
+#include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkRayTracedRepresentation.h"
-#include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedPickingHelperProxy.h"
@@ -273,8 +273,8 @@ void vtkSMRayTracedViewProxy::Rendered(vtkObject*, unsigned long, void* interact
 // The process that renders answers; with remote rendering that is the server's first rank.
 std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, bool ofAllRanks)
 {
-  auto* local = vtkRayTracedView::SafeDownCast(this->GetClientSideObject());
-  const bool remote = local && local->GetRenderedRemotely();
+  auto* local = this->View ? vtkPVRenderView::SafeDownCast(this->View->GetClientSideObject()) : nullptr;
+  const bool remote = local && local->GetUseDistributedRenderingForRender();
   const vtkTypeUInt32 first = remote ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
   const vtkTypeUInt32 all = vtkPVSession::RENDER_SERVER;
   this->ExecuteStream(question, /*ignore_errors=*/false, remote && ofAllRanks ? all : first);
