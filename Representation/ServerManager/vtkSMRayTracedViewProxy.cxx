@@ -300,7 +300,7 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "GetRenderStatistics" << vtkClientServerStream::End;
   const std::string answer = this->Ask(stream, /*ofAllRanks=*/false);
-  if (answer.empty())
+  if (answer.empty() || !this->View)
   {
     return;
   }
