@@ -27,25 +27,15 @@ bool MayInterfere(QEvent* event)
   switch (event->type())
   {
     case QEvent::Timer: // comes again
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-    case QEvent::ShortcutOverride:
     case QEvent::Shortcut:
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::NonClientAreaMouseButtonPress:
-    case QEvent::Wheel:
-    case QEvent::TabletPress:
-    case QEvent::TouchBegin:
-    case QEvent::ContextMenu:
     case QEvent::DragEnter:
     case QEvent::Drop:
     case QEvent::Close:
       return true;
-    default:
+    case QEvent::Enter: // an event of input in Qt 6 only
       return false;
+    default:
+      return dynamic_cast<QInputEvent*>(event) != nullptr;
   }
 }
 }
