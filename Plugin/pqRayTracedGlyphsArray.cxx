@@ -60,6 +60,7 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
   }
   pqCoreUtilities::connect(display->GetProperty("Representation"), vtkCommand::ModifiedEvent, this, SLOT(list()));
   QObject::connect(this->Arrays, QOverload<int>::of(&QComboBox::activated), this, &pqRayTracedGlyphsArray::choose);
+  QObject::connect(this, &pqRayTracedGlyphsArray::linked, this, &pqRayTracedGlyphsArray::Show);
   this->addPropertyLink(this, "array", SIGNAL(chosen()), property);
   if (IsSize(display, property))
   {
@@ -72,27 +73,6 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
     pqCoreUtilities::connect(display->GetProperty("GlyphShape"), vtkCommand::ModifiedEvent, this, SLOT(list()));
   }
   this->list();
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsArray::setArray(const QString& array)
-{
-  this->Array = array;
-  this->Show();
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsArray::setMode(const QString& mode)
-{
-  this->Mode = mode;
-  this->Show();
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsArray::setOn(bool on)
-{
-  this->On = on;
-  this->Show();
 }
 
 //----------------------------------------------------------------------------

@@ -16,22 +16,16 @@ class QComboBox;
 class pqRayTracedGlyphsArray : public pqPropertyWidget
 {
   Q_OBJECT
-  Q_PROPERTY(QString array READ array WRITE setArray)
-  Q_PROPERTY(QString mode READ mode WRITE setMode)
-  Q_PROPERTY(bool on READ isOn WRITE setOn)
+  Q_PROPERTY(QString array MEMBER Array NOTIFY linked)
+  Q_PROPERTY(QString mode MEMBER Mode NOTIFY linked)
+  Q_PROPERTY(bool on MEMBER On NOTIFY linked)
 
 public:
   pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMProperty* property, QWidget* parent = nullptr);
 
-  QString array() const { return this->Array; }
-  void setArray(const QString& array);
-  QString mode() const { return this->Mode; }
-  void setMode(const QString& mode);
-  bool isOn() const { return this->On; }
-  void setOn(bool on);
-
 Q_SIGNALS:
-  void chosen();
+  void chosen(); // by the user
+  void linked(); // a value has come from the display
 
 protected:
   void showEvent(QShowEvent* event) override;
