@@ -122,7 +122,14 @@ void pqRayTracedGlyphsRefinement::viewAdded(pqView* view)
   if (qobject_cast<pqRenderView*>(view))
   {
     QObject::connect(view, &pqView::beginRender, this, [this]() { this->Abort.renderStarted(); });
-    QObject::connect(view, &pqView::endRender, this, &pqRayTracedGlyphsRefinement::rendered);
+    QObject::connect(view, &pqView::endRender, this,
+      [this, view]()
+      {
+        for (const Part& part : PartsOf(view))
+        {
+          this->CheckProgress(part);
+        }
+      });
   }
 }
 
@@ -238,16 +245,6 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
 //****************************************************************************
 // Refinement
 //****************************************************************************
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::rendered()
-{
-  auto* view = qobject_cast<pqView*>(this->sender());
-  for (const Part& part : view ? PartsOf(view) : std::vector<Part>())
-  {
-    this->CheckProgress(part);
-  }
-}
 
 //----------------------------------------------------------------------------
 // How far an image is, after a render.

@@ -74,7 +74,6 @@ private Q_SLOTS:
   void representationAdded(pqRepresentation* representation);
   void proxyAdded(pqProxy* proxy);
   void showChoice(vtkObject* number);
-  void rendered();
   void step();
   void rested();
 
