@@ -1,5 +1,6 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
+#include "vtkInteractorObserver.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
 #include "vtkRenderer.h"
@@ -11,7 +12,6 @@
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -19,19 +19,13 @@ vtkStandardNewMacro(vtkSMRayTracedPickingHelperProxy);
 
 namespace
 {
-std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 3>& world)
-{
-  renderer->SetWorldPoint(world[0], world[1], world[2], 1.0);
-  renderer->WorldToDisplay();
-  const double* display = renderer->GetDisplayPoint();
-  return { { display[0], display[1], display[2] } };
-}
-
 // Whether the two points are where the ray of one pixel enters and leaves what the renderer shows; and that pixel.
-bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std::array<double, 3>& b, int pixel[2])
+bool FindPixel(vtkRenderer* renderer, const double a[3], const double b[3], int pixel[2])
 {
   constexpr double tolerance = 1e-3; // in pixels, and for depths
-  const std::array<double, 3> entry = ToDisplay(renderer, a), exit = ToDisplay(renderer, b);
+  double entry[3], exit[3];
+  vtkInteractorObserver::ComputeWorldToDisplay(renderer, a[0], a[1], a[2], entry);
+  vtkInteractorObserver::ComputeWorldToDisplay(renderer, b[0], b[1], b[2], exit);
   for (int i = 0; i < 2; ++i)
   {
     pixel[i] = static_cast<int>(std::lround(entry[i]));
@@ -72,9 +66,9 @@ void vtkSMRayTracedPickingHelperProxy::UpdatePropertyInformationInternal(vtkSMPr
 bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
 {
   vtkSMProxy* input = vtkSMPropertyHelper(this, "Input").GetAsProxy();
-  std::array<double, 3> a, b;
-  vtkSMPropertyHelper(this, "PointA").Get(a.data(), 3);
-  vtkSMPropertyHelper(this, "PointB").Get(b.data(), 3);
+  double a[3], b[3];
+  vtkSMPropertyHelper(this, "PointA").Get(a, 3);
+  vtkSMPropertyHelper(this, "PointB").Get(b, 3);
   if (vtkSMPropertyHelper(this, "SnapOnMeshPoint").GetAsInt())
   {
     return false; // asks for a point of the data
