@@ -40,8 +40,7 @@ def definitions(name):
 
 def properties():
     """Those of ray-traced displays by name, and those of the view's image."""
-    common, glyphs, image = (definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Glyphs", "Image"))
-    return {**common, **glyphs}, image
+    return tuple(definitions("RayTraced%s.xml" % name)[0] for name in ("Glyphs", "Image"))
 
 
 def contents():
