@@ -33,17 +33,22 @@ bool IsPart(vtkSMProxy* filter)
   return parts.contains(filter->GetXMLName());
 }
 
-// Sources of glyphs are each display's own.
+// Sources of glyphs are each display's own, but for those of the pipeline, which ParaView's Copy() leaves out.
 void CopyValue(vtkSMProperty* from, vtkSMProperty* to)
 {
   auto* list = to->FindDomain<vtkSMProxyListDomain>();
-  vtkSMProxy* value = list ? vtkSMPropertyHelper(from).GetAsProxy() : nullptr;
+  const vtkSMPropertyHelper source(from);
+  vtkSMProxy* value = list ? source.GetAsProxy() : nullptr;
   vtkSMProxy* own = value ? list->FindProxy(value->GetXMLGroup(), value->GetXMLName()) : nullptr;
   if (own)
   {
     own->Copy(value);
     own->UpdateVTKObjects();
     vtkSMPropertyHelper(to).Set(own);
+  }
+  else if (value)
+  {
+    vtkSMPropertyHelper(to).Set(value, source.GetOutputPort());
   }
   else
   {
