@@ -14,8 +14,6 @@
 #include <QStandardItemModel>
 #include <QStringList>
 
-#include <string>
-
 //----------------------------------------------------------------------------
 pqRayTracedGlyphsEntries::pqRayTracedGlyphsEntries(vtkPVXMLElement* xml, pqPropertyWidget* row)
   : pqPropertyWidgetDecorator(xml, row)

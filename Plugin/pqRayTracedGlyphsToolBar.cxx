@@ -20,8 +20,6 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include <algorithm>
-
 namespace
 {
 pqRayTracedGlyphsRefinement::Image ImageOf(pqView* view)

@@ -13,7 +13,6 @@
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTrace.h"
 
 #include <cstring>
 #include <utility>
