@@ -24,20 +24,16 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
   {
     display->GetProperty(name)->SetPanelWidget("RayTracedGlyphsArray");
   }
-  const auto where = [](const std::string& property, const std::string& value, const std::string& more = "")
+  const auto where = [](const std::string& property, const std::string& wanted)
   {
-    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='" + property + "' value='" +
-      value + "' " + more + "/>";
-  };
-  const auto whereShape = [](const std::string& values, const std::string& more = "")
-  {
-    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='" +
-      values + "' " + more + "/>";
+    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='" + property + "' " + wanted +
+      "/>";
   };
   const auto whereRayTraced = [&where](const std::string& more = "")
   {
-    return where("Representation", "Ray Traced Glyphs", more) + where("Representation", "Ray Traced Surface", more) +
-      where("Representation", "Ray Traced Tubes", more);
+    return where("Representation", "value='Ray Traced Glyphs' " + more) +
+      where("Representation", "value='Ray Traced Surface' " + more) +
+      where("Representation", "value='Ray Traced Tubes' " + more);
   };
   const auto decorate = [display](
                           std::initializer_list<const char*> names, const std::string& decorator, bool keepsOwn = true)
@@ -62,8 +58,8 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
   };
   // Path tracing takes the material of any Interpolation.
   decorate({ "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" },
-    "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" + where("Interpolation", "3") +
-      "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" + whereRayTraced() +
+    "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" + where("Interpolation", "value='3'") +
+      "<Expression type='and'>" + where("ShadingMode", "value='2'") + "<Expression type='or'>" + whereRayTraced() +
       "</Expression></Expression></Expression></PropertyWidgetDecorator>",
     false);
   // What ParaView has for points, lines, textures and back faces has no effect on what is ray traced.
@@ -77,12 +73,12 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
   // Split and uncertain vectors have the lengths and directions of SelectOrientationVectors.
   decorate({ "ScaleMode", "SelectScaleArray", "Orient", "OrientationMode" },
     "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
-      where("Representation", "Ray Traced Glyphs", "inverse='1'") + whereShape("16 17 19", "inverse='1'") +
-      "</Expression></PropertyWidgetDecorator>");
+      where("Representation", "value='Ray Traced Glyphs' inverse='1'") +
+      where("GlyphShape", "values='16 17 19' inverse='1'") + "</Expression></PropertyWidgetDecorator>");
   // ParaView's Coloring says nothing true while tensors are colored by themselves.
   const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
-    where("Representation", "Ray Traced Glyphs", "inverse='1'") + where("GlyphTensorColoring", "0") +
-    whereShape("0 5 10 11 16 17 19") + "</Expression></PropertyWidgetDecorator></Hints>";
+    where("Representation", "value='Ray Traced Glyphs' inverse='1'") + where("GlyphTensorColoring", "value='0'") +
+    where("GlyphShape", "values='0 5 10 11 16 17 19'") + "</Expression></PropertyWidgetDecorator></Hints>";
   const vtkSmartPointer<vtkPVXMLElement> coloring = vtkPVXMLParser::ParseXML(colored.c_str());
   for (size_t i = 0; i < display->GetNumberOfPropertyGroups(); ++i)
   {
@@ -93,7 +89,7 @@ void rtglyphs::RayTracedPanel::Show(vtkSMProxy* display)
     }
     if (group->GetPanelWidget() && strcmp(group->GetPanelWidget(), "MoleculeParameters") == 0)
     {
-      const std::string own = "<Hints>" + where("Representation", "Molecule") + "</Hints>";
+      const std::string own = "<Hints>" + where("Representation", "value='Molecule'") + "</Hints>";
       group->SetHints(vtkPVXMLParser::ParseXML(own.c_str()));
     }
   }
