@@ -347,39 +347,31 @@ void pqRayTracedGlyphsRefinement::Render(const Part& part)
 void pqRayTracedGlyphsRefinement::ShowProgress()
 {
   pqProgressWidget* bar = this->Abort.progressBar();
-  if (this->Waiting.empty() && this->Showing)
+  const bool shows = !this->Waiting.empty(), showed = std::exchange(this->Showing, shows);
+  if (shows && !showed)
   {
-    this->Showing = false;
+    qApp->installEventFilter(this);
+  }
+  else if (showed && !shows)
+  {
     qApp->removeEventFilter(this);
-    if (bar)
-    {
-      bar->enableAbort(false);
-      bar->enableProgress(false);
-    }
   }
-  else if (!this->Waiting.empty())
+  if (!bar || !(shows || showed))
   {
-    if (!this->Showing)
-    {
-      qApp->installEventFilter(this);
-    }
-    this->Showing = true;
-    if (bar)
-    {
-      vtkSMRayTracedViewProxy* least = nullptr;
-      for (const Part& part : this->Waiting)
-      {
-        vtkSMRayTracedViewProxy* scene = SceneOf(part);
-        least = scene && (!least || scene->GetProgress() < least->GetProgress()) ? scene : least;
-      }
-      bar->enableProgress(true);
-      if (least)
-      {
-        bar->setProgress(pqRayTracedGlyphsWords::Of(least, true), static_cast<int>(100.0 * least->GetProgress()));
-      }
-      bar->enableAbort(true);
-    }
+    return;
   }
+  vtkSMRayTracedViewProxy* least = nullptr;
+  for (const Part& part : this->Waiting)
+  {
+    vtkSMRayTracedViewProxy* scene = SceneOf(part);
+    least = scene && (!least || scene->GetProgress() < least->GetProgress()) ? scene : least;
+  }
+  bar->enableProgress(shows);
+  if (least)
+  {
+    bar->setProgress(pqRayTracedGlyphsWords::Of(least, true), static_cast<int>(100.0 * least->GetProgress()));
+  }
+  bar->enableAbort(shows);
 }
 
 //----------------------------------------------------------------------------
