@@ -184,7 +184,7 @@ void Tracer::State::Run(const Interrupt& interrupt)
       }
       work.longest = std::max(work.longest,
         this->launcher.LaunchTiles(
-          *program->pipeline, this->shared->costs[program.get()], frame, work.tiling.End(), interruptible));
+          *program->pipeline, this->shared->costs[program], frame, work.tiling.End(), interruptible));
       this->shared->statistics->traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {

@@ -27,7 +27,7 @@ public:
     double secondsPerRay = 0.0;  ///< of a camera ray with all that follows it; 0: unknown
     std::uint32_t lastTiles = 0; ///< of the last launch
   };
-  std::map<const Program*, Cost> costs;
+  std::map<std::weak_ptr<const Program>, Cost, std::owner_less<>> costs;
 
   /// The device's program of that key; if it has none, another thread begins to compile it.
   std::shared_ptr<Program> ProgramFor(const Specialization& specialization);

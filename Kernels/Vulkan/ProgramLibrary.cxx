@@ -7,6 +7,8 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <string>
+#include <system_error>
 #include <thread>
 
 namespace rtg
@@ -47,7 +49,13 @@ std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Special
   double before = 0.0, after = 0.0;
   if (vulkan.cpu && helps)
   {
-    MakePipeline(Device::Another()->GetState(), specialization, before);
+    try
+    {
+      MakePipeline(Device::Another()->GetState(), specialization, before);
+    }
+    catch (const std::exception&) // this device may have what the other lacked
+    {
+    }
   }
   std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization, after);
   helps = helps && (before < worthSaving || after < 0.5 * before);
@@ -88,17 +96,26 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
   if (begins || (program->ahead && IsCompiling(*program)))
   {
     program->ahead = false;
-    ++this->atWork_;
-    std::thread(
-      [this, program]() mutable
-      {
-        this->Compile(*program);
-        const std::lock_guard<std::mutex> done(this->mutex_);
-        program.reset(); // the device may go as soon as nothing is at work
-        --this->atWork_;
-        this->idle_.notify_all();
-      })
-      .detach();
+    try
+    {
+      std::thread(
+        [this, program]() mutable
+        {
+          this->Compile(*program);
+          const std::lock_guard<std::mutex> done(this->mutex_);
+          program.reset(); // the device may go as soon as nothing is at work
+          --this->atWork_;
+          this->idle_.notify_all();
+        })
+        .detach();
+      ++this->atWork_; // the thread ends with the mutex, which is held here
+    }
+    catch (const std::system_error& error)
+    {
+      program->done.set_exception(std::make_exception_ptr(
+        Error(std::string("Ray Traced Glyphs: the system starts no thread that compiles a shader: ") + error.what() +
+          ". Close other programs or raise the limit of threads (ulimit -u).")));
+    }
   }
   return { program, begins };
 }
@@ -162,9 +179,16 @@ void ProgramLibrary::CompileAhead(std::vector<Specialization> wanted)
   this->ahead_ = std::move(wanted);
   if (!this->ahead_.empty() && !this->worksAhead_)
   {
-    this->worksAhead_ = true;
-    ++this->atWork_;
-    std::thread([this] { this->WorkAhead(); }).detach();
+    try
+    {
+      std::thread([this] { this->WorkAhead(); }).detach();
+      this->worksAhead_ = true;
+      ++this->atWork_;
+    }
+    catch (const std::system_error&) // what is not compiled ahead is compiled when it is needed
+    {
+      this->ahead_.clear();
+    }
   }
 }
 

@@ -30,14 +30,14 @@ constexpr std::uint32_t side = 64;
 constexpr const char* functions[] = { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory", "mmap",
   "vkCreateAccelerationStructureKHR" };
 
-// While it lives, that call of a function fails.
+// While it lives, that call of a function fails, and all further ones with "always".
 class Fault
 {
 public:
-  Fault(const std::string& function, int call)
+  Fault(const std::string& function, int call, const std::string& how = "")
     : path_(std::getenv("RTGLYPHS_FAULT"))
   {
-    std::ofstream(this->path_) << function << ' ' << call << '\n';
+    std::ofstream(this->path_) << function << ' ' << call << ' ' << how << '\n';
   }
   ~Fault() { std::remove(this->path_.c_str()); }
   bool Pending() const { return std::ifstream(this->path_).good(); }
@@ -360,7 +360,7 @@ TEST_P(FaultTest, AProgramThatFailedIsCompiledAgainForTheNext)
   specialization.constants.degree = 4321u; // of no other test
   const auto failing = [&]
   {
-    const Fault fault("vkCreateBuffer", 1);
+    const Fault fault("vkCreateBuffer", 1, "always");
     const auto [program, began] = programs.Get(specialization);
     EXPECT_TRUE(began);
     EXPECT_THROW(program->compiled.get(), vk::SystemError);
@@ -374,6 +374,20 @@ TEST_P(FaultTest, AProgramThatFailedIsCompiledAgainForTheNext)
     EXPECT_NO_THROW(program->compiled.get());
     EXPECT_TRUE(program->pipeline);
   }
+}
+
+// It compiles the first time only to fill the driver's cache.
+TEST_P(FaultTest, AnotherDeviceThatFailsLeavesTheProgramToItsOwn)
+{
+  rtg::Specialization specialization;
+  specialization.constants.rayQueries = GetParam() == rtg::Structure::Boxes;
+  specialization.constants.shapes = 1u;
+  specialization.constants.degree = 1234u; // of no other test
+  const Fault fault("vkCreateBuffer", 1);
+  const auto [program, began] = this->device->GetState().programs->Get(specialization);
+  EXPECT_TRUE(began);
+  EXPECT_NO_THROW(program->compiled.get());
+  EXPECT_FALSE(fault.Pending());
 }
 
 INSTANTIATE_TEST_SUITE_P(, FaultTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
