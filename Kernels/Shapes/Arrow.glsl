@@ -1,12 +1,4 @@
 // Arrow along +x from 0 to its length; its outline is in ArrowForm.glsl.
-#ifndef RTG_ARROW
-#define RTG_ARROW
-
-#include "Estimate.glsl"
-#include "ArrowForm.glsl"
-#include "Disc.glsl"
-#include "Span.glsl"
-#include "Sphere.glsl"
 
 // Faces of the arrow.
 #define RTG_SHAFT_SIDE 0
@@ -164,5 +156,3 @@ RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const Crossing
 }
 
 RTG_INTERSECT_BY_SPANS(Arrow, Arrow)
-
-#endif

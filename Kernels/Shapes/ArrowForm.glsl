@@ -8,11 +8,6 @@
 //          the largest sphere that fits between the head's base and sides, hence always narrower than
 //          the base. rounding = 0 leaves vtkArrowSource's cone, rounding = 1 gives a bullet; the square keeps
 //          the middle of the range an arrow with a soft tip.
-#ifndef RTG_ARROW_FORM
-#define RTG_ARROW_FORM
-
-#include "Disc.glsl"
-#include "Span.glsl"
 
 // Where the arrow lies in its own frame: p_unit = p times / over, component by component. In the unit
 // frame the head has the proportions of glyph.arrow; the arrow is `extent` long there.
@@ -133,5 +128,3 @@ RTG_FN Bounds ArrowBounds(const Glyph glyph)
   }
   return bounds;
 }
-
-#endif

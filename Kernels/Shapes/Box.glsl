@@ -1,9 +1,4 @@
 // Box of side 1, centerd.
-#ifndef RTG_BOX
-#define RTG_BOX
-
-#include "Estimate.glsl"
-#include "Span.glsl"
 
 RTG_FN bool BoxCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
@@ -33,5 +28,3 @@ RTG_FN Bounds BoxBounds(const Glyph glyph)
 {
   return SymmetricBounds(BoxReach(glyph, real(0.5) * glyph.size));
 }
-
-#endif

@@ -2,13 +2,6 @@
 // sizes are the length of the cylinder and the diameters along y and z. Where these differ it is the round capsule of
 // the larger diameter, flattened along the other axis: seen along that axis its ends are half discs. The round capsule
 // is the round cone of two balls alike.
-#ifndef RTG_CAPSULE
-#define RTG_CAPSULE
-
-#include "Estimate.glsl"
-#include "RoundCone.glsl"
-#include "Span.glsl"
-#include "Sphere.glsl"
 
 // The half-axes of the ends.
 RTG_FN real3 CapsuleEnd(const Glyph glyph)
@@ -78,5 +71,3 @@ RTG_FN Bounds CapsuleBounds(const Glyph glyph)
   real3 axis = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
   return SymmetricBounds(abs(axis) + EllipsoidReach(glyph, CapsuleEnd(glyph)));
 }
-
-#endif

@@ -1,10 +1,4 @@
 // Cone along +x with its base: base of radius 0.5 at x = -0.5, apex at x = 0.5.
-#ifndef RTG_CONE
-#define RTG_CONE
-
-#include "Estimate.glsl"
-#include "Disc.glsl"
-#include "Span.glsl"
 
 // Faces: 0 the side, 1 the base, 2 the apex.
 RTG_FN bool ConeCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
@@ -55,5 +49,3 @@ RTG_FN Bounds ConeBounds(const Glyph glyph)
   real3 disc = DiscReach(glyph, real3(real(0.0), halfSize.y, real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
   return Bounds(min(apex, -apex - disc), max(apex, -apex + disc));
 }
-
-#endif

@@ -1,10 +1,4 @@
 // Cylinder along y, height 1, radius 0.5, centerd, with its caps.
-#ifndef RTG_CYLINDER
-#define RTG_CYLINDER
-
-#include "Estimate.glsl"
-#include "Disc.glsl"
-#include "Span.glsl"
 
 // Faces: 0 the side, 1 the cap at -y, 2 the cap at +y.
 RTG_FN bool CylinderCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
@@ -45,5 +39,3 @@ RTG_FN Bounds CylinderBounds(const Glyph glyph)
   return SymmetricBounds(
     abs(axis) + DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z)));
 }
-
-#endif

@@ -1,8 +1,4 @@
 // Common code of shapes with round cross-sections.
-#ifndef RTG_DISC
-#define RTG_DISC
-
-#include "Span.glsl"
 
 // Half the extents of the ellipse with the given half-axes (unit glyph's frame) along the world's axes.
 RTG_FN real3 DiscReach(const Glyph glyph, const real3 u, const real3 v)
@@ -23,5 +19,3 @@ RTG_FN bool ToBoxFrame(const GlyphRay ray, const Glyph glyph, const real3 halfSi
   }
   return near;
 }
-
-#endif

@@ -2,8 +2,6 @@
 // Joldes, Muller, Popescu: Tight and rigorous error bounds for basic building blocks of double-word
 // arithmetic, ACM TOMS 44(2), 2017 ("JMP"). u is the unit roundoff of `real`.
 // fma is not used: Vulkan allows it to be rounded twice.
-#ifndef RTG_DOUBLE_WORD
-#define RTG_DOUBLE_WORD
 
 struct DoubleWord
 {
@@ -81,5 +79,3 @@ RTG_FN DoubleWord SquareRoot(const DoubleWord a)
   DoubleWord square = TwoProduct(root, root);
   return FastTwoSum(root, (((a.hi - square.hi) - square.lo) + a.lo) / (real(2.0) * root));
 }
-
-#endif

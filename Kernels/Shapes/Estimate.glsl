@@ -1,9 +1,5 @@
 // Hits and misses that plain float proves. Traversals call it first: most candidates end here,
 // and of the others most need no exact t before the nearest is known.
-#ifndef RTG_ESTIMATE
-#define RTG_ESTIMATE
-
-#include "LocalRay.glsl"
 
 #define RTG_MISSED 0  // no crossing in [tMin, tMax]
 #define RTG_HIT 1     // the nearest crossing in [tMin, tMax] exists and lies in [low, high]
@@ -126,5 +122,3 @@ RTG_FN int Estimate(const EnclosureRay ray, const Enclosure outer, const real tM
   high = tMax;
   return RTG_UNKNOWN;
 }
-
-#endif

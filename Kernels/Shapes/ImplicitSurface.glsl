@@ -11,10 +11,6 @@
 //
 // ImplicitSearch.glsl does the rest for each family: isolates the crossings, brackets them, refines them in double
 // words.
-#ifndef RTG_IMPLICIT_SURFACE
-#define RTG_IMPLICIT_SURFACE
-
-#include "Disc.glsl"
 
 // Evaluations of f that a ray may take. SuperquadricTest counts them: 4 to 5 on average, and hardly any ray comes near
 // this number. Further pieces of such a ray are looked at with one each.
@@ -222,5 +218,3 @@ RTG_FN GlyphHit HitAt(const SurfaceCrossing crossing, const GlyphRay ray, const 
   return GlyphHit(crossing.found, crossing.leaves, crossing.t,
     crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction);
 }
-
-#endif

@@ -1,8 +1,4 @@
 // A ray and a glyph, and the transform from the world to the glyph's own frame without loss.
-#ifndef RTG_LOCAL_RAY
-#define RTG_LOCAL_RAY
-
-#include "DoubleWord.glsl"
 
 // The exact origin is origin + originLow, |originLow| <= ulp(origin) / 2; likewise centers.
 struct GlyphRay
@@ -237,5 +233,3 @@ ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 h
   local = Advance(RotateToLocal(near, glyph), sMiddle);
   return true;
 }
-
-#endif

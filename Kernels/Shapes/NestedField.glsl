@@ -11,11 +11,6 @@
 //     that the ends bound it: N may be monotone, or lines from the ends prove that it does not come near 1.
 // Every value comes with a bound of its rounding. Windows in which the quotients and the falls of their profiles change
 // by less than 0.4 % count as having one extremum at most.
-#ifndef RTG_NESTED_FIELD
-#define RTG_NESTED_FIELD
-
-#include "ImplicitSurface.glsl"
-#include "WordFunctions.glsl"
 
 #define RTG_NESTED_LEAST 1.0e-6 // exponent
 // Where 1 - z^q is less than the error of the logarithms, it counts as outside: the end of the axis.
@@ -479,5 +474,3 @@ RTG_FN NestedProbe WithSign(const NestedField field, const LocalRay unit, const 
 #define RTG_MAKE_FIELD MakeNestedField
 #define RTG_CROSSING NestedSuperquadricCrossing
 #include "ImplicitSearch.glsl"
-
-#endif

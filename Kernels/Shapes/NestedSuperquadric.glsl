@@ -9,11 +9,6 @@
 // Glyph.exponents holds alpha, beta, c; those below 1e-6 count as that.
 //
 // The solver is ImplicitSearch.glsl's; what it solves is in NestedField.glsl.
-#ifndef RTG_NESTED_SUPERQUADRIC
-#define RTG_NESTED_SUPERQUADRIC
-
-#include "Estimate.glsl"
-#include "NestedField.glsl"
 
 RTG_FN GlyphHit IntersectNestedSuperquadric(
   const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsNormal)
@@ -50,5 +45,3 @@ RTG_FN Bounds NestedSuperquadricBounds(const Glyph glyph)
   return SymmetricBounds(real3(DualNorm(DualNorm(x.x, y.x, e.x), z.x, profile),
     DualNorm(DualNorm(x.y, y.y, e.x), z.y, profile), DualNorm(DualNorm(x.z, y.z, e.x), z.z, profile)));
 }
-
-#endif

@@ -5,13 +5,6 @@
 // q, h = cos(phi) f(phi); inside the glyph |h| > q. README.md, Polynomials, has the method and its proof. After C.
 // Peters, T. Patel, W. Usher and C. R. Johnson, "Ray Tracing Spherical Harmonics Glyphs", Vision, Modeling, and
 // Visualization 2023.
-#ifndef RTG_POLYNOMIAL
-#define RTG_POLYNOMIAL
-
-#include "Estimate.glsl"
-#include "ImplicitSurface.glsl"
-#include "PolynomialForm.glsl"
-#include "Sphere.glsl"
 
 // Evaluations that a ray may take; some tens are usual.
 #define RTG_WINDOWS 600
@@ -526,5 +519,3 @@ RTG_FN Bounds PolynomialBounds(const Glyph glyph)
   real3 halfSize = real(0.5) * glyph.size;
   return SymmetricBounds(min(BoxReach(glyph, halfSize * FormExtents(glyph)), EllipsoidReach(glyph, halfSize)));
 }
-
-#endif

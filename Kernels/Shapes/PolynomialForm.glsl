@@ -4,11 +4,6 @@
 // A glyph's values are half the extents of its unit glyph along its axes and then the (k + 1) (k + 2) / 2 coefficients
 // of x^a y^b z^c, a + b + c = k, by falling a and, where that is the same, by falling b: coefficient
 // (b + c) (b + c + 1) / 2 + c.
-#ifndef RTG_POLYNOMIAL_FORM
-#define RTG_POLYNOMIAL_FORM
-
-#include "DoubleWord.glsl"
-#include "LocalRay.glsl"
 
 #define RTG_FORM_EXTENTS 3  // values before the coefficients
 #define RTG_MOST_SAMPLES 13 // the largest degree + 1
@@ -235,5 +230,3 @@ RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact
                : slopeW.lo);
   return point;
 }
-
-#endif

@@ -8,18 +8,28 @@
 
 #include "List.h"
 
-// A new shape: its file, which defines Intersect<Name>, <Name>Enclosure and <Name>Bounds, and its entry in List.h; if
-// it is convex, its bit there.
-#include "Arrow.glsl"
-#include "Box.glsl"
-#include "Capsule.glsl"
-#include "Cone.glsl"
-#include "Cylinder.glsl"
-#include "NestedSuperquadric.glsl"
-#include "Polynomial.glsl"
-#include "RoundCone.glsl"
+// Each file after those that it uses. A new shape: its file, which defines Intersect<Name>, <Name>Enclosure and
+// <Name>Bounds, and its entry in List.h; if it is convex, its bit there.
+#include "DoubleWord.glsl"
+#include "WordFunctions.glsl"
+#include "LocalRay.glsl"
+#include "Estimate.glsl"
+#include "Span.glsl"
+#include "Disc.glsl"
 #include "Sphere.glsl"
+#include "Box.glsl"
+#include "Cylinder.glsl"
+#include "Cone.glsl"
+#include "ArrowForm.glsl"
+#include "Arrow.glsl"
+#include "RoundCone.glsl"
+#include "Capsule.glsl"
+#include "ImplicitSurface.glsl"
 #include "Superquadric.glsl"
+#include "NestedField.glsl"
+#include "NestedSuperquadric.glsl"
+#include "PolynomialForm.glsl"
+#include "Polynomial.glsl"
 #include "SweptEllipsoid.glsl"
 
 // The nearest crossing of the glyph's surface at t in [tMin, tMax].

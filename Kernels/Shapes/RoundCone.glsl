@@ -9,12 +9,6 @@
 //          before it.
 //   w = 0: the ball.
 //   w < 0: the plane through the ball's middle, across the axis.
-#ifndef RTG_ROUND_CONE
-#define RTG_ROUND_CONE
-
-#include "Estimate.glsl"
-#include "Span.glsl"
-#include "Sphere.glsl"
 
 // Faces of the round cone.
 #define RTG_FIRST_BALL 0
@@ -512,5 +506,3 @@ RTG_FN Bounds RoundConeBounds(const Glyph glyph)
   real3 last = real3(real(0.5) * glyph.size.z);
   return Bounds(min(-toLast - first, toLast - last), max(first - toLast, toLast + last));
 }
-
-#endif

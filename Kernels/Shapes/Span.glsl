@@ -1,8 +1,4 @@
 // The part of a ray inside a convex body, and how slabs and quadrics bound it.
-#ifndef RTG_SPAN
-#define RTG_SPAN
-
-#include "LocalRay.glsl"
 
 // Inside for sIn <= s <= sOut. Faces are numbered by each shape for its normals.
 struct Span
@@ -249,5 +245,3 @@ RTG_FN real3 FromCenter(const GlyphRay ray, const Glyph glyph, const real t)
   LocalRay near = NearRay(ray, glyph);
   return RotateToLocal(glyph, PointAt(near, Add(Word(t), Minus(near.start))));
 }
-
-#endif

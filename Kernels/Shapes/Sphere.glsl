@@ -1,9 +1,4 @@
 // Sphere of diameter 1 and its affine images, the ellipsoids.
-#ifndef RTG_SPHERE
-#define RTG_SPHERE
-
-#include "Estimate.glsl"
-#include "Span.glsl"
 
 // radius^2 - |o|^2. The squares are exact and their sum is compensated (Ogita, Rump, Oishi: Accurate sum
 // and dot product, SIAM J. Sci. Comput. 26(6), 2005, algorithm 5.3): near the silhouette all digits of
@@ -133,5 +128,3 @@ RTG_FN Bounds SphereBounds(const Glyph glyph)
   real3 halfSize = real(0.5) * glyph.size;
   return SymmetricBounds(glyph.sameSize ? halfSize : EllipsoidReach(glyph, halfSize));
 }
-
-#endif

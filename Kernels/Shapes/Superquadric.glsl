@@ -8,13 +8,6 @@
 //   f(b)).
 // For -f the roles of convex and concave terms are exchanged. A crossing is the only one where f is monotone, or purely
 // convex or concave. The rest is ImplicitSearch.glsl's.
-#ifndef RTG_SUPERQUADRIC
-#define RTG_SUPERQUADRIC
-
-#include "Estimate.glsl"
-#include "ImplicitSurface.glsl"
-#include "Sphere.glsl"
-#include "WordFunctions.glsl"
 
 // The slope of a concave term at its cusp.
 #define RTG_CUSP 1.0e30
@@ -351,5 +344,3 @@ RTG_FN Bounds SuperquadricBounds(const Glyph glyph)
   }
   return SymmetricBounds(reach);
 }
-
-#endif

@@ -12,11 +12,6 @@
 // many that at +x: in the frame in which the shared ellipsoid is the unit ball, the rotation to that frame from the one
 // in which the next piece's matrices are diagonal, and in that one the displacement to its far end, all zero where
 // there is none, and how much the matrix grows up to there.
-#ifndef RTG_SWEPT_ELLIPSOID
-#define RTG_SWEPT_ELLIPSOID
-
-#include "Estimate.glsl"
-#include "Span.glsl"
 
 #define RTG_ENTRY -1
 #define RTG_EXIT 1
@@ -543,5 +538,3 @@ RTG_FN Bounds SweptEllipsoidBounds(const Glyph glyph)
   return Bounds(-real3(SweptReach(glyph, -x), SweptReach(glyph, -y), SweptReach(glyph, -z)),
     real3(SweptReach(glyph, x), SweptReach(glyph, y), SweptReach(glyph, z)));
 }
-
-#endif

@@ -8,10 +8,6 @@
 // |r| <= ln(2) / 16 by the Taylor series, its first terms in double words.
 // The relative error of x^e is below 8 u^2 (1 + e (1 + |log2 x|)), in double with 2^-101 for u^2: the constants have no
 // more digits.
-#ifndef RTG_WORD_FUNCTIONS
-#define RTG_WORD_FUNCTIONS
-
-#include "DoubleWord.glsl"
 
 // The logarithm of zero.
 #define RTG_LOG_ZERO -1.0e5
@@ -109,5 +105,3 @@ RTG_FN DoubleWord Power(const DoubleWord x, const real e)
   }
   return Exp2(Multiply(Log2(x), e));
 }
-
-#endif
