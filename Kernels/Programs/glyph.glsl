@@ -3,6 +3,7 @@
 #ifndef RTG_GLYPH
 #define RTG_GLYPH
 
+#include "../Shapes/Dialect.glsl"
 #include "../Shapes/Registry.glsl"
 #include "motion.glsl"
 #include "../Shading/Sobol.glsl"

@@ -10,7 +10,6 @@
 #include "trace.glsl"
 #include "pixel.glsl"
 #include "layers.glsl"
-#include "../Shading/Frame.glsl"
 #include "../Shading/Local.glsl"
 #include "../Shading/Reflection.glsl"
 #include "../Shading/Ground.glsl"

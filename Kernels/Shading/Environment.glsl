@@ -1,7 +1,5 @@
 // Light from an image in longitude and latitude (Kernels/Environment.h), in two parts: what is below the threshold is
 // found by rays that scatter there, what exceeds it is sampled as a light.
-#ifndef RTG_ENVIRONMENT
-#define RTG_ENVIRONMENT
 
 const float environmentPi = 3.14159265358979;
 
@@ -55,5 +53,3 @@ vec3 SampleEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
   vec3 above = max(EnvironmentTexel(at) - frame.environmentThreshold, vec3(0.0));
   return density > 0.0 ? frame.environment * above / density : vec3(0.0);
 }
-
-#endif

@@ -1,9 +1,5 @@
 // One of the view's lights, with vtkLight's meaning, as it arrives at a position relative to the scene's origin. All
 // that depends on the kind of light (rtg::Light::Kind) is here.
-#ifndef RTG_LIGHTS
-#define RTG_LIGHTS
-
-#include "Frame.glsl"
 
 struct Incidence
 {
@@ -71,5 +67,3 @@ vec3 SampleLight(const LightRecord light, const Incidence at, const vec2 u, out 
   }
   return toLight;
 }
-
-#endif

@@ -11,10 +11,6 @@
 //
 // Layers are chosen at random, by the same numbers u in both functions: Scatter() draws a direction, and
 // the mean of Evaluate() over u is the density that Scatter() draws times its weight.
-#ifndef RTG_PRINCIPLED
-#define RTG_PRINCIPLED
-
-#include "Frame.glsl"
 
 struct Surface
 {
@@ -42,12 +38,12 @@ struct ScatterNumbers
 const float scatterPi = 3.14159265358979324;
 
 // Width of the facets' distribution. A perfect mirror is a very smooth one.
-RTG_SHADING_FN float FacetWidth(float roughness)
+RTG_FN float FacetWidth(float roughness)
 {
   return max(roughness * roughness, 0.001f);
 }
 
-RTG_SHADING_FN float FifthPower(float x)
+RTG_FN float FifthPower(float x)
 {
   float square = x * x;
   return square * square * x;
@@ -56,14 +52,14 @@ RTG_SHADING_FN float FifthPower(float x)
 // Schlick's approximation. Where next to nothing is reflected at normal incidence, less is at grazing incidence, too,
 // down to nothing: what has the refractive index of air is not seen (Lagarde and de Rousiers, "Moving Frostbite to
 // Physically Based Rendering", 2014).
-RTG_SHADING_FN float Fresnel(float reflectance, float cosine)
+RTG_FN float Fresnel(float reflectance, float cosine)
 {
   float grazing = min(50.0f * reflectance, 1.0f);
   return reflectance + (grazing - reflectance) * FifthPower(1.0f - min(abs(cosine), 1.0f));
 }
 
 // Smith's function of the GGX distribution: facets that block the view, per facet that does not.
-RTG_SHADING_FN float SmithLambda(vec3 v, float width)
+RTG_FN float SmithLambda(vec3 v, float width)
 {
   float tangent = width * width * (v.x * v.x + v.y * v.y) / (v.z * v.z);
   // (sqrt(1 + a) - 1) / 2 without cancellation.
@@ -71,7 +67,7 @@ RTG_SHADING_FN float SmithLambda(vec3 v, float width)
 }
 
 // Fraction of facets with normal m visible from `to`, of those visible from `from`.
-RTG_SHADING_FN float EscapeProbability(vec3 from, vec3 to, float width)
+RTG_FN float EscapeProbability(vec3 from, vec3 to, float width)
 {
   if (to.z <= 0.0f)
   {
@@ -83,7 +79,7 @@ RTG_SHADING_FN float EscapeProbability(vec3 from, vec3 to, float width)
 
 // Normal of a facet, as often as `from` sees it. Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical
 // Caps", HPG 2023.
-RTG_SHADING_FN vec3 VisibleFacet(vec3 from, float width, vec2 u)
+RTG_FN vec3 VisibleFacet(vec3 from, float width, vec2 u)
 {
   vec3 stretched = normalize(vec3(width * from.x, width * from.y, from.z));
   float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
@@ -95,7 +91,7 @@ RTG_SHADING_FN vec3 VisibleFacet(vec3 from, float width, vec2 u)
 }
 
 // Density times cosine of light that leaves once reflected, without the Fresnel factor.
-RTG_SHADING_FN float FacetReflection(vec3 from, vec3 to, vec3 m, float width)
+RTG_FN float FacetReflection(vec3 from, vec3 to, vec3 m, float width)
 {
   float x = m.x / width;
   float y = m.y / width;
@@ -105,7 +101,7 @@ RTG_SHADING_FN float FacetReflection(vec3 from, vec3 to, vec3 m, float width)
 }
 
 // Burley's diffuse lobe relative to Lambert's.
-RTG_SHADING_FN float DiffuseShape(vec3 from, vec3 to, float roughness)
+RTG_FN float DiffuseShape(vec3 from, vec3 to, float roughness)
 {
   // FD90 - 1 with 2 cos^2(theta_d) = 1 + from . to
   float grazing = roughness * (1.0f + dot(from, to)) - 0.5f;
@@ -115,7 +111,7 @@ RTG_SHADING_FN float DiffuseShape(vec3 from, vec3 to, float roughness)
 // Mean of DiffuseShape over cosine-distributed `to`. With K = roughness - 1/2, r = roughness, c = from.z, x = to.z, and
 // from . to of mean c x and mean square c^2 x^2 + (1 - c^2)(1 - x^2) / 2 about the normal, it is a sum of
 // integrals of 2 x^n (1 - x)^5: 1/21, 1/84, 1/252 for n = 1, 2, 3.
-RTG_SHADING_FN float DiffuseAlbedo(float c, float r)
+RTG_FN float DiffuseAlbedo(float c, float r)
 {
   float k = r - 0.5f;
   float a = k / 21.0f + r * c / 84.0f;
@@ -126,31 +122,31 @@ RTG_SHADING_FN float DiffuseAlbedo(float c, float r)
 }
 
 // Fresnel color of metal at a facet; and of metal that reflects light a second time, on average over all angles.
-RTG_SHADING_FN vec3 MetalFresnel(vec3 base, float cosine)
+RTG_FN vec3 MetalFresnel(vec3 base, float cosine)
 {
   return base + (vec3(1.0f) - base) * FifthPower(1.0f - min(abs(cosine), 1.0f));
 }
 
-RTG_SHADING_FN vec3 MetalAverage(vec3 base)
+RTG_FN vec3 MetalAverage(vec3 base)
 {
   return base + (vec3(1.0f) - base) / 21.0f;
 }
 
 // Probability that a layer reflects the light that came from `from` to its facet m.
-RTG_SHADING_FN float LayerReflection(float strength, float reflectance, float width, vec3 from, vec3 m)
+RTG_FN float LayerReflection(float strength, float reflectance, float width, vec3 from, vec3 m)
 {
   vec3 to = reflect(-from, m);
   return strength * Fresnel(reflectance, dot(from, m)) * EscapeProbability(from, to, width);
 }
 
-RTG_SHADING_FN vec3 CoatTint(Surface surface)
+RTG_FN vec3 CoatTint(Surface surface)
 {
   return vec3(1.0f) + surface.coat * (surface.coatColor - vec3(1.0f));
 }
 
 // Approximate fraction of environment light that a surface reflects at that angle, all layers together: as if each
 // were smooth. White stays white.
-RTG_SHADING_FN vec3 AlbedoSeen(Surface surface, float cosine)
+RTG_FN vec3 AlbedoSeen(Surface surface, float cosine)
 {
   float facets = (1.0f - surface.metallic) * Fresnel(surface.reflectance, cosine);
   float coat = surface.coat * Fresnel(surface.coatReflectance, cosine);
@@ -159,7 +155,7 @@ RTG_SHADING_FN vec3 AlbedoSeen(Surface surface, float cosine)
 }
 
 // Draws the direction that light, followed back from `from`, came from; returns its weight.
-RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SHADING_OUT(vec3) to)
+RTG_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_OUT(vec3) to)
 {
   vec3 weight = vec3(1.0f);
   if (surface.coat > 0.0f)
@@ -202,7 +198,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
 }
 
 // Reflected radiance from `to`, a given direction, per unit of irradiance across it: the density times the cosine.
-RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers u)
+RTG_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers u)
 {
   vec3 sum = vec3(0.0f);
   vec3 weight = vec3(1.0f);
@@ -239,5 +235,3 @@ RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers
     weight * surface.base *
     (lambert * DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
 }
-
-#endif

@@ -1,6 +1,4 @@
 // Emission, reflection and sky of ambient occlusion and path tracing, as linear light.
-#ifndef RTG_REFLECTION
-#define RTG_REFLECTION
 
 // Radiance that comes from a unit direction of the sky, without an environment image.
 vec3 SkyRadiance(const vec3 direction)
@@ -29,5 +27,3 @@ float AlbedoScale(const SurfaceHit hit, const vec3 albedo)
   float largest = max(albedo.x, max(albedo.y, albedo.z));
   return !hit.colored && largest > frame.albedoLimit ? frame.albedoLimit / largest : 1.0;
 }
-
-#endif

@@ -1,8 +1,4 @@
 // Where the samples of a pixel lie. Deterministic: functions of the pixel, the sample's number and the dimension alone.
-#ifndef RTG_SAMPLING
-#define RTG_SAMPLING
-
-#include "Sobol.glsl"
 
 // Sample s >= 1 in [0,1)^2: the R2 sequence (Roberts 2018, the plastic number's additive recurrence) started at the
 // pixel's center, so that with sample 0 there the first samples spread evenly round it. In integers, of which the
@@ -83,5 +79,3 @@ vec2 PixelPosition(const SampleNumber number)
 {
   return number.index == 0u ? vec2(0.5) : SamplePair(number, pairPixel);
 }
-
-#endif

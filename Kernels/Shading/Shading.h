@@ -30,16 +30,15 @@ using std::sin;
 using std::sqrt;
 using uint = glm::uint;
 
-#define RTG_SHADING_HOST
-#define RTG_SHADING_FN inline
-#define RTG_SHADING_OUT(type) type&
+#define RTG_FN inline
+#define RTG_OUT(type) type&
 
+#include "Frame.glsl"
 #include "Principled.glsl"
 #include "Sobol.glsl"
 #include "Tone.glsl"
 
-#undef RTG_SHADING_HOST
-#undef RTG_SHADING_FN
-#undef RTG_SHADING_OUT
+#undef RTG_FN
+#undef RTG_OUT
 
 } // namespace rtg::shading

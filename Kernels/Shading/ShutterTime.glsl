@@ -1,8 +1,4 @@
 // When the light path of a sample runs: one time for its camera ray, its occlusion rays and its bounces.
-#ifndef RTG_SHUTTER_TIME
-#define RTG_SHUTTER_TIME
-
-#include "Sampling.glsl"
 
 // A seed that no pair of dimensions uses.
 const uint timeSeed = 0x7f4a7c15u;
@@ -45,5 +41,3 @@ float ShutterTime(const SampleNumber number)
   uint scrambled = bitfieldReverse(ScrambleReversed(bitfieldReverse(shared_), pixelSeed));
   return UnitInterval((shared_ & ~own) | (scrambled & own));
 }
-
-#endif

@@ -1,28 +1,22 @@
 // Pseudo-random numbers and sequences whose first two dimensions are Sobol's, scrambled after Owen. Integers only, but
 // for the last step, so that every device gets the same numbers.
-#ifndef RTG_SOBOL
-#define RTG_SOBOL
-
-#ifndef RTG_SHADING_HOST
-#include "Dialect.glsl"
-#endif
 
 // PCG's output function on a linear congruential step: the hash of best quality for its cost in Jarzynski and Olano,
 // "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
-RTG_SHADING_FN uint Hash(const uint value)
+RTG_FN uint Hash(const uint value)
 {
   uint state = value * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
-RTG_SHADING_FN uint Hash(const uint a, const uint b)
+RTG_FN uint Hash(const uint a, const uint b)
 {
   return Hash(a ^ Hash(b));
 }
 
 // [0, 1) from the upper 24 bits: every one is a float.
-RTG_SHADING_FN float UnitInterval(const uint bits)
+RTG_FN float UnitInterval(const uint bits)
 {
   return float(bits >> 8u) * 5.9604644775390625e-8;
 }
@@ -30,7 +24,7 @@ RTG_SHADING_FN float UnitInterval(const uint bits)
 // An Owen scramble of the number whose bits are reversed: each bit is flipped by a function of the lower ones.
 // After Laine and Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with Vegdahl's
 // constants ("Building a Better LK Hash", 2021).
-RTG_SHADING_FN uint ScrambleReversed(uint bits, uint seed)
+RTG_FN uint ScrambleReversed(uint bits, uint seed)
 {
   bits ^= bits * 0x3d20adeau;
   bits += seed;
@@ -42,7 +36,7 @@ RTG_SHADING_FN uint ScrambleReversed(uint bits, uint seed)
 
 // The second Sobol dimension of a sample's number, bits reversed: its generator matrix is Pascal's triangle modulo 2,
 // whose two halves' product with the number are those of the halves' size.
-RTG_SHADING_FN uint PascalProduct(uint index)
+RTG_FN uint PascalProduct(uint index)
 {
   index ^= index >> 16u;
   index ^= (index & 0xff00ff00u) >> 8u;
@@ -53,7 +47,7 @@ RTG_SHADING_FN uint PascalProduct(uint index)
 }
 
 // Each digit of two bits as an element a + b w of the field of four, w^2 = w + 1, times w.
-RTG_SHADING_FN uint TimesOmega(uint digits)
+RTG_FN uint TimesOmega(uint digits)
 {
   uint a = digits & 0x55555555u;
   uint b = (digits >> 1u) & 0x55555555u;
@@ -61,14 +55,14 @@ RTG_SHADING_FN uint TimesOmega(uint digits)
 }
 
 // The same times w^power, power in 0 .. 2.
-RTG_SHADING_FN uint TimesOmega(uint digits, uint power)
+RTG_FN uint TimesOmega(uint digits, uint power)
 {
   uint once = TimesOmega(digits);
   return power == 0u ? digits : power == 1u ? once : once ^ digits;
 }
 
 // Each digit of four bits as an element a + b z of the field of sixteen over that of four, z^2 = z + w, times z.
-RTG_SHADING_FN uint TimesZeta(uint digits)
+RTG_FN uint TimesZeta(uint digits)
 {
   uint a = digits & 0x33333333u;
   uint b = (digits >> 2u) & 0x33333333u;
@@ -78,7 +72,7 @@ RTG_SHADING_FN uint TimesZeta(uint digits)
 // Faure's generator matrix of the field's element e, times a sample's number: the digits are a polynomial's
 // coefficients, and the wanted ones are those of f(t + e). Of halves f0 + t^s f1 the lower one gains e^s f1, then
 // each half for itself.
-RTG_SHADING_FN uint ShiftedByOmega(uint number)
+RTG_FN uint ShiftedByOmega(uint number)
 {
   number ^= TimesOmega(number & 0xffff0000u, 2u) >> 16u;
   number ^= TimesOmega(number & 0xff00ff00u) >> 8u;
@@ -87,7 +81,7 @@ RTG_SHADING_FN uint ShiftedByOmega(uint number)
 }
 
 // For e = z w^power; z^4 = z + 1.
-RTG_SHADING_FN uint ShiftedByZeta(uint number, uint power)
+RTG_FN uint ShiftedByZeta(uint number, uint power)
 {
   uint high = number & 0xffff0000u;
   number ^= TimesOmega(TimesZeta(high) ^ high, power) >> 16u;
@@ -105,7 +99,7 @@ RTG_SHADING_FN uint ShiftedByZeta(uint number, uint power)
 // suites associees a un systeme de numeration", Acta Arithmetica 41, 1982) in the fields of 2, 4 and 16 elements, each
 // a subfield of the next. The order is shuffled and the values scrambled after Owen, which keeps all of this. Burley,
 // "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-RTG_SHADING_FN uvec2 ScrambledSobol(uint index, uint seed, uint pair)
+RTG_FN uvec2 ScrambledSobol(uint index, uint seed, uint pair)
 {
   uint number = bitfieldReverse(ScrambleReversed(bitfieldReverse(index), seed));
   uint four = pair >> 1u;
@@ -123,5 +117,3 @@ RTG_SHADING_FN uvec2 ScrambledSobol(uint index, uint seed, uint pair)
 }
 
 const uint pairsPerSequence = 8u;
-
-#endif

@@ -1,7 +1,5 @@
-// The common subset of GLSL and C++ that the shapes are written in. C++ gets the same names from Shapes.h.
-#ifndef RTG_DIALECT
-#define RTG_DIALECT
-
+// The common subset of GLSL and C++ that the shapes and much of Shading are written in. C++ gets the same names from
+// Shapes.h and Shading.h.
 #define real float
 #define real2 vec2
 #define real3 vec3
@@ -18,5 +16,3 @@
 #define RTG_ROUNDOFF 5.9604644775390625e-8 // u = 2^-24, half an ulp of 1
 #define RTG_SPLITTER 4097.0                // 2^12 + 1, Dekker's constant for 24 bits
 #define RTG_NEVER 1.0e30                   // a ray parameter that no ray reaches
-
-#endif

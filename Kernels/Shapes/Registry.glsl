@@ -1,10 +1,4 @@
 // The functions of a shape that the programs call, by the shape's number (List.h).
-#ifndef RTG_REGISTRY
-#define RTG_REGISTRY
-
-#ifndef RTG_HOST
-#include "Dialect.glsl"
-#endif
 
 #include "List.h"
 
@@ -115,5 +109,3 @@ RTG_FN void GlyphBounds(const RTG_SHAPE shape, const Glyph glyph, RTG_OUT(real3)
   lower = glyph.center + (glyph.centerLow + bounds.lower);
   upper = glyph.center + (glyph.centerLow + bounds.upper);
 }
-
-#endif

@@ -33,7 +33,6 @@ using std::sqrt;
 template <class Real>
 constexpr Real splitter = Real((1LL << ((std::numeric_limits<Real>::digits + 1) / 2)) + 1);
 
-#define RTG_HOST
 #define RTG_FN static inline
 #define RTG_SHAPE Shape
 #define RTG_IS(shape, number) (shape == Shape(number))
@@ -61,7 +60,6 @@ struct Kernel
   static constexpr int missed = RTG_MISSED, hit = RTG_HIT, unknown = RTG_UNKNOWN;
 };
 
-#undef RTG_HOST
 #undef RTG_FN
 #undef RTG_SHAPE
 #undef RTG_IS
