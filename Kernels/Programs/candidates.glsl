@@ -1,7 +1,5 @@
 // Handles a candidate, a glyph that a ray may meet, whether the plugin's BVH (walk.glsl) or the driver's (query.glsl)
 // have found it; after bindings.glsl and glyph.glsl.
-#ifndef RTG_CANDIDATES
-#define RTG_CANDIDATES
 
 // A crossing of a glyph's surface
 struct GlyphCrossing
@@ -204,5 +202,3 @@ bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay 
   }
   return met;
 }
-
-#endif

@@ -1,8 +1,5 @@
 // Reads one glyph of a set, in the frame of the scene's origin, and intersects it. Arrays that no set of the program
 // has cost neither a load nor a branch (Variants.h).
-#ifndef RTG_GLYPH
-#define RTG_GLYPH
-
 #include "../Shapes/Dialect.glsl"
 #include "../Shapes/Registry.glsl"
 #include "motion.glsl"
@@ -269,5 +266,3 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
   } while (passes);
   return met;
 }
-
-#endif

@@ -1,10 +1,6 @@
 // Candidates from the driver's BVH, by ray queries: glyphs as boxes, and triangles of meshes at rest, which the
 // driver intersects.
-#ifndef RTG_QUERY
-#define RTG_QUERY
-
 #extension GL_EXT_ray_query : require
-#include "candidates.glsl"
 
 // Whether there may be triangles of the driver.
 bool QueriesTriangles()
@@ -97,5 +93,3 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
   }
   return hit;
 }
-
-#endif

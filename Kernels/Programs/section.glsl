@@ -1,8 +1,6 @@
 // Cuts: of a set with SECTION what lies in a convex body, or all but that, is not there. Of a ray one or two parts are
 // left. Where one begins at a plane of the body, a glyph that it begins in is closed by a face, or seen from inside.
 // With SECTION_MOVES each glyph has the body where its motion since time zero brings it.
-#ifndef RTG_SECTION
-#define RTG_SECTION
 
 // Parts of a ray that are left, at most. Programs that cut nothing have no second round.
 const uint partsOfRay = 1u + (inSomeSets & SECTION) / SECTION;
@@ -165,5 +163,3 @@ bool IsLeftOut(const GlyphSetRecord set, const uint number, const Glyph glyph)
   inside = inside && (set.sectionSlabs < 3u || IsBetween(center, set.sectionSlab2));
   return inside != (set.sectionKeepsInside != 0u);
 }
-
-#endif

@@ -1,6 +1,7 @@
 // Tracing one ray. Candidates come from the plugin's BVH (walk.glsl) or, by ray queries, from the driver's
 // (query.glsl); the code after that is common.
 #include "glyph.glsl"
+#include "candidates.glsl"
 #include "query.glsl"
 #include "walk.glsl"
 #include "surface.glsl"

@@ -1,7 +1,4 @@
 // Traversal of a GlyphTree (Kernels/GlyphTree.h), over glyphs or over the triangles of a mesh.
-#ifndef RTG_TREE
-#define RTG_TREE
-
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes
@@ -219,5 +216,3 @@ bool PopChild(inout TreePosition position)
   position.level = parentLevel + 1u;
   return true;
 }
-
-#endif

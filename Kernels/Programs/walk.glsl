@@ -1,10 +1,5 @@
 // Candidates from the plugin's BVH: a ray visits the visible sets one after the other and traverses the BVH of each
 // (Kernels/GlyphTree.h).
-#ifndef RTG_WALK
-#define RTG_WALK
-
-#include "candidates.glsl"
-#include "tree.glsl"
 
 // Brings a crossing of a glyph of the set that is nearer than `hit`; with `any` whichever comes first. With `gathers`
 // all crossings nearer than it are added to the layers instead, as many as are wanted.
@@ -158,5 +153,3 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
   }
   return hit;
 }
-
-#endif
