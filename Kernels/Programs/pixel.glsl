@@ -50,7 +50,7 @@ void OpenShutter(const SampleNumber number)
 {
   if (moves)
   {
-    SetShutterTime(ShutterTime(number));
+    shutterTime = ShutterTime(number);
   }
 }
 

@@ -17,15 +17,6 @@ struct SceneRay
   float start; // how far the origin was moved along the ray
 };
 
-// Says when in the shutter's opening the rays that follow run.
-void SetShutterTime(const float time)
-{
-  if (moves)
-  {
-    shutterTime = time;
-  }
-}
-
 // A ray's query of the scene.
 struct Query
 {

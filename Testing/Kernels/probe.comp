@@ -35,7 +35,7 @@ void main()
   DoubleWord3 origin;
   origin.hi = probe.origin;
   origin.lo = probe.originLow;
-  SetShutterTime(probe.time);
+  shutterTime = moves ? probe.time : 0.0;
   SceneRay ray = EnterScene(origin, probe.direction);
   SurfaceHit hit = Trace(Query(ray, 0.0, 1e38, frame.cullMask, 0u, false), false);
 
