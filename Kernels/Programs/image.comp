@@ -34,8 +34,7 @@ void main()
         float depth = hit.t + layers.ray.start;
         if (layers.count == 1u)
         {
-          Identify(pixel, s, depth, hit.record, hit.glyph);
-          AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
+          Identify(pixel, number, hit, depth);
         }
         float weight = WeightOfLayer(layers, hit);
         AddToPixel(pixel, weight * ShadeLocal(hit, origin.hi + depth * direction, direction, AmbientOf(hit)), weight);

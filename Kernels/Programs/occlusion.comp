@@ -166,8 +166,7 @@ void main()
       float depth = hit.t + layers.ray.start;
       if (layers.count == 1u)
       {
-        Identify(pixel, s, depth, hit.record, hit.glyph);
-        AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
+        Identify(pixel, number, hit, depth);
       }
       ambient = sky ? vec3(0.0) : AmbientOf(hit);
       color = sky ? EmissionOfHit(hit) : vec3(0.0);

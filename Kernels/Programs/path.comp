@@ -291,8 +291,7 @@ void main()
       if (onward)
       {
         float depth = hit.t + ray.start;
-        Identify(pixel, s, depth, hit.record, hit.glyph);
-        AddFeatures(position, s, hit.shadingNormal, hit.color.rgb, depth);
+        Identify(pixel, number, hit, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
       onGround = ground && hit.t < 0.0 && IntersectGround(ray, hit);

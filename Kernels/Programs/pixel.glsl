@@ -122,35 +122,31 @@ bool ShowsToo(inout Pixel pixel, const float viewDepth)
   return viewDepth < pixel.depth && pixel.depth < 1e38;
 }
 
-// Depth and identity of a sample whose camera ray has just hit.
-void Identify(inout Pixel pixel, const uint index, const float viewDepth, const uint record, const uint glyph)
+// Takes depth and identity from what a sample's camera ray has just hit, and adds it to the sums for denoising and
+// scripts.
+void Identify(inout Pixel pixel, const SampleNumber number, const SurfaceHit hit, const float viewDepth)
 {
-  if ((index == 0u || (!pixel.centerHit && viewDepth < pixel.depth)) && !IsInOtherImage(record))
+  bool center = number.index == 0u;
+  if ((center || (!pixel.centerHit && viewDepth < pixel.depth)) && !IsInOtherImage(hit.record))
   {
-    pixel.centerHit = index == 0u;
+    pixel.centerHit = center;
     pixel.depth = viewDepth;
-    pixel.record = record;
-    pixel.glyph = glyph;
+    pixel.record = hit.record;
+    pixel.glyph = hit.glyph;
+  }
+  if (gathersFeatures)
+  {
+    uint at = number.pixel.y * frame.width + number.pixel.x;
+    frame.features.at[at].normal += hit.shadingNormal;
+    frame.features.at[at].albedo += hit.color.rgb;
+    frame.features.at[at].depth += viewDepth;
+    frame.features.at[at].hits += 1.0;
   }
 }
 
 float WindowDepth(const float viewDepth)
 {
   return frame.depthA + (frame.parallel != 0u ? frame.depthB * viewDepth : frame.depthB / viewDepth);
-}
-
-// Adds what the sample's camera ray hit to the sums for denoising and scripts.
-void AddFeatures(const uvec2 position, const uint index, const vec3 normal, const vec3 albedo, const float viewDepth)
-{
-  if (!gathersFeatures)
-  {
-    return;
-  }
-  uint at = position.y * frame.width + position.x;
-  frame.features.at[at].normal += normal;
-  frame.features.at[at].albedo += albedo;
-  frame.features.at[at].depth += viewDepth;
-  frame.features.at[at].hits += 1.0;
 }
 
 // Keeps and shows the pixel. `linear`: its color is light, not a display color.
