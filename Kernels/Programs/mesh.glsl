@@ -118,11 +118,10 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
   // Triangles are met by the same rounded ray; their boxes allow for the rest.
   BoxRay boxRay = MakeBoxRay(ray.origin, vec3(0.0), ray.direction);
   ShearedRay sheared = Shear(ray);
-  TreeNodes nodes = TreeNodes(set.meshTree.nodes);
+  TreeRecord tree = set.meshTree;
   float time = MeshTime(set);
-  uint slice = Has(set.variants, MOVING_MESH) ? SliceOf(set.meshTree.sliceBits) : 0u;
-  uint firstNode = slice * set.meshTree.nodesPerSlice;
-  uint levels = set.meshTree.levels;
+  uint slice = Has(set.variants, MOVING_MESH) ? SliceOf(tree.sliceBits) : 0u;
+  uint firstNode = slice * tree.nodesPerSlice;
   uint64_t count = uint64_t(set.meshTriangleCount);
 
   float least = (tMin - ray.start.hi) - ray.start.lo;
@@ -130,21 +129,17 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
   bool found = false;
   triangle = nothing;
   TreePosition position = RootOfTree();
-  uint i = 0u, end = 0u;
+  uvec2 leaf = uvec2(0u); // what is left of the current one
   bool going = true;
   do
   {
-    if (position.level < levels)
+    if (position.level < tree.levels)
     {
-      uint mask, order;
-      float behind;
-      uint children = ChildrenOf(position, levels, set.meshTree.leafBits);
-      IntersectNode(nodes, firstNode + NodeNumber(position), children, boxRay, least, nearest, mask, order, behind);
-      PushChildren(position, mask, order, behind);
+      VisitNode(position, tree, firstNode, boxRay, least, nearest);
     }
-    else if (i < end)
+    else if (leaf.x < leaf.y)
     {
-      uvec3 corner = CornersOf(set, i);
+      uvec3 corner = CornersOf(set, leaf.x);
       float s;
       vec3 weight;
       if (IntersectTriangle(sheared, CornerAt(set, corner.x, time), CornerAt(set, corner.y, time),
@@ -153,18 +148,16 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
       {
         found = true;
         nearest = s;
-        triangle = i;
+        triangle = leaf.x;
         CullBehind(position, nearest);
         going = !any;
       }
-      ++i;
+      ++leaf.x;
     }
-    if (i >= end && going)
+    if (leaf.x >= leaf.y && going)
     {
       going = PopChild(position);
-      uvec2 range = LeafRange(position, levels, count, set.meshTree.leafBits);
-      i = range.x;
-      end = range.y;
+      leaf = LeafRange(position, tree, count);
     }
   } while (going);
   t = clamp(Add(ray.start, nearest).hi, tMin, tMax);

@@ -26,25 +26,12 @@ TreePosition RootOfTree()
   return TreePosition(0u, 0u, uvec2(0u), 0u, vec4[2](vec4(0.0), vec4(0.0)));
 }
 
-// The current node's number: 1 + 8 + 64 + ... are on the levels above it.
-uint NodeNumber(const TreePosition position)
-{
-  return (0x09249249u & ((1u << (3u * position.level)) - 1u)) + position.node;
-}
-
-// Bit by bit the children that the current node has. The root may have but 1, 2 or 4: where rounding is larger than all
-// of the tree, rays would meet others, too.
-uint ChildrenOf(const TreePosition position, const uint levels, const uint leafBits)
-{
-  return position.level > 0u ? 0xffu : (1u << (1u << (leafBits - 3u * (levels - 1u)))) - 1u;
-}
-
 // Which of the `count` things are in the current node, when it is a leaf: from x up to y; otherwise none.
-uvec2 LeafRange(const TreePosition position, const uint levels, uint64_t count, const uint leafBits)
+uvec2 LeafRange(const TreePosition position, const TreeRecord tree, const uint64_t count)
 {
-  bool leaf = position.level == levels;
-  return leaf ? uvec2((uint64_t(position.node) * count) >> leafBits, (uint64_t(position.node + 1u) * count) >> leafBits)
-              : uvec2(0u);
+  return position.level == tree.levels ? uvec2((uint64_t(position.node) * count) >> tree.leafBits,
+                                           (uint64_t(position.node + 1u) * count) >> tree.leafBits)
+                                       : uvec2(0u);
 }
 
 // The ray prepared for boxes. Rounding moves the parameters t at which it meets their planes: by 2^-20 of the distance
@@ -108,13 +95,17 @@ vec4 Unless(const vec4 near, const bvec4 leftOut, const vec4 far)
     leftOut.z || near.z > far.z ? 1e38 : near.z, leftOut.w || near.w > far.w ? 1e38 : near.w);
 }
 
-// Which of a node's children, eight bits, the ray meets between tMin and tMax, bit 7 - rank for the child visited as
-// number `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the
-// one visited first.
-void IntersectNode(const TreeNodes nodes, const uint index, const uint children, const BoxRay ray, const float tMin,
-  const float tMax, out uint mask, out uint order, out float behind)
+// Takes note of the children of the current node that the ray meets between tMin and tMax: bit 7 - rank for the child
+// visited as number `rank`, and the order: child = rank ^ order. With dropsHidden, also of where it enters the first of
+// them but the one visited first.
+void VisitNode(inout TreePosition position, const TreeRecord tree, const uint firstNode, const BoxRay ray,
+  const float tMin, const float tMax)
 {
-  uint at = 8u * index;
+  TreeNodes nodes = TreeNodes(tree.nodes);
+  // 1 + 8 + 64 + ... nodes are on the levels above it.
+  uint at = 8u * (firstNode + (0x09249249u & ((1u << (3u * position.level)) - 1u)) + position.node);
+  // The root may have but 1, 2 or 4 children: where rounding is larger than all of the tree, rays would meet others.
+  uint children = position.level > 0u ? 0xffu : (1u << (1u << (tree.leafBits - 3u * (tree.levels - 1u)))) - 1u;
   uvec2 originXY = unpack32(nodes.word[at]);
   uvec2 originZ = unpack32(nodes.word[at + 1u]);
   // Near planes are the lower ones where the direction is positive.
@@ -148,34 +139,25 @@ void IntersectNode(const TreeNodes nodes, const uint index, const uint children,
 
   // Rank r visits child r ^ order: along each split's axis the ray's near side comes first.
   uint axes = exponents >> 24;
-  order = (((ray.signs >> (axes & 3u)) & 1u) << 2) | (((ray.signs >> ((axes >> 2) & 3u)) & 1u) << 1) |
+  uint order = (((ray.signs >> (axes & 3u)) & 1u) << 2) | (((ray.signs >> ((axes >> 2) & 3u)) & 1u) << 1) |
     ((ray.signs >> (axes >> 4)) & 1u);
   // From bit child to bit 7 - rank = child ^ order ^ 7.
   uint flips = order ^ 7u;
   met = (flips & 4u) != 0u ? ((met & 0x0fu) << 4) | (met >> 4) : met;
   met = (flips & 2u) != 0u ? ((met & 0x33u) << 2) | ((met >> 2) & 0x33u) : met;
-  mask = (flips & 1u) != 0u ? ((met & 0x55u) << 1) | ((met >> 1) & 0x55u) : met;
+  uint mask = (flips & 1u) != 0u ? ((met & 0x55u) << 1) | ((met >> 1) & 0x55u) : met;
 
-  behind = 0.0;
-  if (dropsHidden)
-  {
-    uvec4 first = uvec4(uint(7 - findMSB(mask)) ^ order);
-    vec4 others0 = Unless(near0, equal(first, uvec4(0u, 1u, 2u, 3u)), far0);
-    vec4 others1 = Unless(near1, equal(first, uvec4(4u, 5u, 6u, 7u)), far1);
-    vec4 four = Lesser(others0, others1);
-    behind = min(min(four.x, four.y), min(four.z, four.w));
-  }
-}
-
-// Takes note of the children of the current node that are to be visited.
-void PushChildren(inout TreePosition position, const uint mask, const uint order, const float behind)
-{
   uint bits = mask << (8u * (position.level & 3u));
   position.pending |= position.level < 4u ? uvec2(bits, 0u) : uvec2(0u, bits);
   uint shift = 4u * position.level;
   position.orders = (position.orders & ~(15u << shift)) | (order << shift);
   if (dropsHidden)
   {
+    uvec4 first = uvec4(uint(7 - findMSB(mask)) ^ order);
+    vec4 others0 = Unless(near0, equal(first, uvec4(0u, 1u, 2u, 3u)), far0);
+    vec4 others1 = Unless(near1, equal(first, uvec4(4u, 5u, 6u, 7u)), far1);
+    vec4 four = Lesser(others0, others1);
+    float behind = min(min(four.x, four.y), min(four.z, four.w));
     uvec4 level = uvec4(position.level);
     position.behind[0] = mix(position.behind[0], vec4(behind), equal(level, uvec4(0u, 1u, 2u, 3u)));
     position.behind[1] = mix(position.behind[1], vec4(behind), equal(level, uvec4(4u, 5u, 6u, 7u)));

@@ -7,12 +7,10 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
   const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   GlyphSetRecord set = source.set;
-  TreeNodes nodes = TreeNodes(set.tree.nodes);
-  uint levels = set.tree.levels;
-  uint leafBits = set.tree.leafBits;
+  TreeRecord tree = set.tree;
   uint64_t count = uint64_t(set.glyphCount);
-  uint slice = Has(set.variants, MOVING_GLYPHS | MOVING_MESH) ? SliceOf(set.tree.sliceBits) : 0u;
-  uint firstNode = slice * set.tree.nodesPerSlice;
+  uint slice = Has(set.variants, MOVING_GLYPHS | MOVING_MESH) ? SliceOf(tree.sliceBits) : 0u;
+  uint firstNode = slice * tree.nodesPerSlice;
   uint firstPlace = slice * set.glyphCount;
   BoxRay boxRay = MakeBoxRay(ray.origin - set.offset, abs(ray.origin) + abs(set.offset), ray.direction);
   bool chance = MayPass(set, seed);
@@ -20,7 +18,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
   float surely = hit.t;
   bool estimated = false;
   TreePosition position = RootOfTree();
-  uint i = 0u, end = 0u; // what is left of the current leaf
+  uvec2 leaf = uvec2(0u); // what is left of the current one
   bool going = true;
   do
   {
@@ -29,19 +27,15 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     uint candidate = nothing;
     do
     {
-      if (position.level < levels)
+      if (position.level < tree.levels)
       {
-        uint mask, order;
-        float behind;
-        uint children = ChildrenOf(position, levels, leafBits);
-        IntersectNode(nodes, firstNode + NodeNumber(position), children, boxRay, tMin, hit.t, mask, order, behind);
-        PushChildren(position, mask, order, behind);
+        VisitNode(position, tree, firstNode, boxRay, tMin, hit.t);
       }
-      else if (i < end)
+      else if (leaf.x < leaf.y)
       {
         uint glyph = moves && Has(set.variants, ORDER_OF_SLICES)
-          ? set.tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + i)]
-          : i;
+          ? tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + leaf.x)]
+          : leaf.x;
         float low, high;
         int verdict = Estimate(set, ray, glyph, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         if (chance && Has(set.variants, END_COLORS) && verdict == RTG_HIT)
@@ -71,14 +65,12 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           // again.
           candidate = estimated ? hit.glyph : glyph;
         }
-        i += candidate == nothing || !estimated ? 1u : 0u;
+        leaf.x += candidate == nothing || !estimated ? 1u : 0u;
       }
-      if (i >= end && going)
+      if (leaf.x >= leaf.y && going)
       {
         going = PopChild(position);
-        uvec2 range = LeafRange(position, levels, count, leafBits);
-        i = range.x;
-        end = range.y;
+        leaf = LeafRange(position, tree, count);
       }
     } while (going && candidate == nothing);
 
