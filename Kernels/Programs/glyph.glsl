@@ -49,33 +49,21 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
   {
     glyph.centerLow += set.centersLow.at[InSet(set, CENTERS_LOW, primitive)];
   }
-  if (Has(set.variants, SIZES_EACH))
-  {
-    glyph.size = set.sizes3.at[InSet(set, SIZES_EACH, primitive)];
+#define RTG_FETCH(BIT, type, member, values)                                                                           \
+  if (Has(set.variants, BIT))                                                                                          \
+  {                                                                                                                    \
+    glyph.member = type(set.values.at[InSet(set, BIT, primitive)]);                                                    \
   }
-  if (Has(set.variants, SIZE_EACH))
-  {
-    glyph.size = vec3(set.sizes1.at[InSet(set, SIZE_EACH, primitive)]);
-  }
+  RTG_FETCH(SIZES_EACH, vec3, size, sizes3)
+  RTG_FETCH(SIZE_EACH, vec3, size, sizes1)
+  RTG_FETCH(ROTATIONS, vec4, rotation, rotations)
+  RTG_FETCH(EXPONENTS, vec3, exponents, exponents)
+  RTG_FETCH(BEFORE, vec4, before, before)
+  RTG_FETCH(AFTER, vec4, after, after)
+#undef RTG_FETCH
   if (Has(set.variants, SIZE_EACH | SIZES_EACH))
   {
     glyph.unitLength = set.unitLength > 0.0 ? set.unitLength : glyph.size.y;
-  }
-  if (Has(set.variants, ROTATIONS))
-  {
-    glyph.rotation = set.rotations.at[InSet(set, ROTATIONS, primitive)];
-  }
-  if (Has(set.variants, EXPONENTS))
-  {
-    glyph.exponents = set.exponents.at[InSet(set, EXPONENTS, primitive)];
-  }
-  if (Has(set.variants, BEFORE))
-  {
-    glyph.before = set.before.at[InSet(set, BEFORE, primitive)];
-  }
-  if (Has(set.variants, AFTER))
-  {
-    glyph.after = set.after.at[InSet(set, AFTER, primitive)];
   }
   if (Has(set.variants, POLYNOMIALS))
   {
