@@ -248,7 +248,9 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
   // Normals transform with the inverse transpose.
   vec3 size = glyph.size / LargestOf(glyph.size);
   hit.shadingNormal = UnitNormal(RotateToWorld(glyph, smoothed / size), ray.direction);
-  hit.normal = OnSideOf(hit.shadingNormal, UnitNormal(RotateToWorld(glyph, normal / size), ray.direction));
+  // On the same side, in whichever order the corners are given.
+  hit.normal = UnitNormal(RotateToWorld(glyph, normal / size), ray.direction);
+  hit.normal = dot(hit.shadingNormal, hit.normal) < 0.0 ? -hit.normal : hit.normal;
   hit.record = record;
   hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + number;
   hit.error = leavesSurface ? 2e-6 * set.meshRadius * LargestOf(glyph.size) : 0.0;

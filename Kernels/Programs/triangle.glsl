@@ -27,12 +27,6 @@ vec3 SmoothNormal(const GlyphSetRecord set, const uvec3 corner, const vec3 weigh
   return dot(smoothed, smoothed) > 0.0 ? smoothed : flat_;
 }
 
-// A triangle's own normal, in whichever order its corners are given.
-vec3 OnSideOf(const vec3 smoothed, const vec3 normal)
-{
-  return dot(smoothed, normal) < 0.0 ? -normal : normal;
-}
-
 vec4 TriangleColor(
   const GlyphSetRecord set, const uvec3 corner, const vec3 weight, const uint triangle, const uint glyph)
 {
