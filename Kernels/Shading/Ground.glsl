@@ -30,8 +30,7 @@ float GroundDepth(const uvec2 position)
   CameraRay(SampleNumber(position, 0u), vec2(0.5), origin, direction);
   SurfaceHit hit;
   bool met = IntersectGround(SceneRay(origin, direction, 0.0), hit);
-  float depth = frame.depthA + (frame.parallel != 0u ? frame.depthB * hit.t : frame.depthB / hit.t);
-  return met ? min(depth, 0.99999994) : 1.0;
+  return met ? min(WindowDepth(hit.t), 0.99999994) : 1.0;
 }
 
 // Where rays from there start: beyond what rounding does to the place.
