@@ -155,13 +155,8 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   uint at = position.y * frame.width + position.x;
   if (frame.accumulates != 0u)
   {
-    frame.sums.at[at].color = pixel.color.hi;
-    frame.sums.at[at].colorLow = pixel.color.lo;
-    frame.sums.at[at].opacity = pixel.opacity.hi;
-    frame.sums.at[at].opacityLow = pixel.opacity.lo;
-    frame.sums.at[at].missing = pixel.missing;
-    frame.sums.at[at].depth = pixel.centerHit ? -pixel.depth : pixel.depth;
-    frame.sums.at[at].opaqueDepth = pixel.opaqueDepth;
+    frame.sums.at[at] = PixelSums(pixel.color.hi, pixel.color.lo, pixel.opacity.hi, pixel.opacity.lo, pixel.missing,
+      pixel.centerHit ? -pixel.depth : pixel.depth, pixel.opaqueDepth);
   }
 
   vec4 shown = vec4(0.0);
