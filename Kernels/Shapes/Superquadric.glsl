@@ -273,6 +273,7 @@ RTG_FN bool IsEllipsoid(const Glyph glyph)
   return glyph.exponents.x == real(2.0) && glyph.exponents.y == real(2.0) && glyph.exponents.z == real(2.0);
 }
 
+// Programs without spheres lack IntersectSphere() (Vulkan/Specialize).
 RTG_INTERSECT_BY_SPANS(Ellipsoid, Sphere)
 
 RTG_FN GlyphHit IntersectSuperquadric(
