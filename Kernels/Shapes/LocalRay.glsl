@@ -197,24 +197,9 @@ RTG_FN bool BoxChord(const real3 o, const real3 d, const real3 halfSize, RTG_OUT
   return sIn <= sOut;
 }
 
-// The ray's chord through the box middle - halfSize .. middle + halfSize in the glyph's frame, in plain
-// arithmetic: the box is padded by more than its rounding, so that an empty chord is certain. `radius`
-// is at least half the box's diagonal.
-RTG_FN bool PaddedChord(const LocalRay ray, const Glyph glyph, const real3 middle, const real3 halfSize,
-  const real radius, RTG_OUT(real) sMiddle)
-{
-  real3 o = RotateToLocal(glyph, ray.origin.hi) - middle;
-  real3 d = RotateToLocal(glyph, ray.direction.hi);
-  real padding = real(64.0 * RTG_ROUNDOFF) * (radius + abs(middle.x));
-  real sIn;
-  real sOut;
-  bool meets = BoxChord(o, d, halfSize + real3(padding), sIn, sOut);
-  sMiddle = real(0.5) * (sIn + sOut);
-  return meets;
-}
-
-// The ray in the glyph's frame, its origin moved to the middle of its chord through the glyph's box.
-// False: the ray certainly misses that box, and `local` means nothing.
+// The ray in the glyph's frame, its origin moved to the middle of its chord through the glyph's box, from middle -
+// halfSize to middle + halfSize. False: the ray certainly misses that box, which is padded by more than its rounding,
+// and `local` means nothing.
 RTG_FN bool
 ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 halfSize, RTG_OUT(LocalRay) local)
 {
@@ -225,11 +210,15 @@ ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 h
     return false;
   }
   LocalRay near = NearRay(ray, glyph);
-  real sMiddle;
-  if (!PaddedChord(near, glyph, middle, halfSize, radius, sMiddle))
+  real3 o = RotateToLocal(glyph, near.origin.hi) - middle;
+  real3 d = RotateToLocal(glyph, near.direction.hi);
+  real padding = real(64.0 * RTG_ROUNDOFF) * (radius + abs(middle.x));
+  real sIn;
+  real sOut;
+  if (!BoxChord(o, d, halfSize + real3(padding), sIn, sOut))
   {
     return false;
   }
-  local = Advance(RotateToLocal(near, glyph), sMiddle);
+  local = Advance(RotateToLocal(near, glyph), real(0.5) * (sIn + sOut));
   return true;
 }
