@@ -62,18 +62,12 @@ struct ArrowHead
   real coneStart;   // where the cone touches the sphere
 };
 
-RTG_FN ArrowHead NoHead()
-{
-  return ArrowHead(Word(real(0.0)), Word(real(0.0)), real(0.0));
-}
-
 RTG_FN ArrowHead HeadOfArrow(const Glyph glyph)
 {
   real radius = glyph.arrow.y;
   real height = glyph.arrow.z;
   real rounding = glyph.arrow.w;
-  ArrowHead head = NoHead();
-  head.slope = Divide(Word(radius), height);
+  ArrowHead head = ArrowHead(Word(real(0.0)), Divide(Word(radius), height), real(0.0));
   if (!(rounding > real(0.0)))
   {
     return head;

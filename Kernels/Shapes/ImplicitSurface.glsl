@@ -44,18 +44,13 @@ struct Chord
   real sOut;
 };
 
-RTG_FN Chord NoChord()
-{
-  LocalRay none = LocalRay(Word(real(0.0)), Word3(real3(real(0.0))), Word3(real3(real(0.0))));
-  return Chord(none, none, real(1.0), real(0.0), real(0.0));
-}
-
 // False: the ray certainly has no crossing in [tMin, tMax], and `chord` means nothing.
 RTG_FN bool ToChord(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(Chord) chord)
 {
-  chord = NoChord();
   LocalRay local;
-  if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
+  bool near = ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local);
+  chord = Chord(local, local, real(1.0), real(0.0), real(0.0));
+  if (!near)
   {
     return false;
   }
