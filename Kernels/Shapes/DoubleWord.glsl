@@ -43,6 +43,11 @@ RTG_FN DoubleWord3 Word3(const DoubleWord a)
   return DoubleWord3(real3(a.hi), real3(a.lo));
 }
 
+RTG_FN DoubleWord3 Words(const DoubleWord x, const DoubleWord y, const DoubleWord z)
+{
+  return DoubleWord3(real3(x.hi, y.hi, z.hi), real3(x.lo, y.lo, z.lo));
+}
+
 RTG_FN DoubleWord WordOf(const DoubleWord3 a, const int axis)
 {
   return DoubleWord(axis == 0 ? a.hi.x : axis == 1 ? a.hi.y : a.hi.z, axis == 0 ? a.lo.x : axis == 1 ? a.lo.y : a.lo.z);

@@ -210,23 +210,8 @@ RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact
   DoubleWord slopeX = Divide(Subtract(byX, Multiply(radial, x)), power);
   DoubleWord slopeY = Divide(Subtract(byY, Multiply(radial, y)), power);
   DoubleWord slopeW = Minus(Add(Multiply(x, slopeX), Multiply(y, slopeY)));
-  point.gradient.hi = real3(u == 0 ? slopeX.hi
-      : v == 0                     ? slopeY.hi
-                                   : slopeW.hi,
-    u == 1     ? slopeX.hi
-      : v == 1 ? slopeY.hi
-               : slopeW.hi,
-    u == 2     ? slopeX.hi
-      : v == 2 ? slopeY.hi
-               : slopeW.hi);
-  point.gradient.lo = real3(u == 0 ? slopeX.lo
-      : v == 0                     ? slopeY.lo
-                                   : slopeW.lo,
-    u == 1     ? slopeX.lo
-      : v == 1 ? slopeY.lo
-               : slopeW.lo,
-    u == 2     ? slopeX.lo
-      : v == 2 ? slopeY.lo
-               : slopeW.lo);
+  point.gradient = w == 0 ? Words(slopeW, slopeX, slopeY)
+    : w == 1              ? Words(slopeY, slopeW, slopeX)
+                          : Words(slopeX, slopeY, slopeW);
   return point;
 }

@@ -33,11 +33,6 @@ struct SweptRay
   DoubleWord3 growth;
 };
 
-RTG_FN DoubleWord3 Words(const DoubleWord x, const DoubleWord y, const DoubleWord z)
-{
-  return DoubleWord3(real3(x.hi, y.hi, z.hi), real3(x.lo, y.lo, z.lo));
-}
-
 RTG_FN DoubleWord3 ToDiagonal(const Glyph glyph, const DoubleWord3 p)
 {
   DoubleWord y = Divide(WordY(p), real(0.5) * glyph.size.y);
