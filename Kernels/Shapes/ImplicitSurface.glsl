@@ -90,14 +90,6 @@ RTG_FN LocalRay RayFrom(const LocalRay ray, const DoubleWord where, const int ax
   return at;
 }
 
-// Where a ray passes the coordinate planes.
-struct Planes
-{
-  DoubleWord x;
-  DoubleWord y;
-  DoubleWord z;
-};
-
 RTG_FN DoubleWord PassesAt(const DoubleWord o, const DoubleWord d, const bool counts)
 {
   if (!counts || !(abs(d.hi) > real(RTG_TINY)))
@@ -105,6 +97,14 @@ RTG_FN DoubleWord PassesAt(const DoubleWord o, const DoubleWord d, const bool co
     return Word(real(RTG_NEVER));
   }
   return Divide(Minus(o), d);
+}
+
+// Where a ray passes the coordinate planes of the axes with exponents below 1.
+RTG_FN DoubleWord3 PlanesOf(const LocalRay ray, const real3 exponents)
+{
+  return Words(PassesAt(WordX(ray.origin), WordX(ray.direction), exponents.x < real(1.0)),
+    PassesAt(WordY(ray.origin), WordY(ray.direction), exponents.y < real(1.0)),
+    PassesAt(WordZ(ray.origin), WordZ(ray.direction), exponents.z < real(1.0)));
 }
 
 // Next to the glyph's center, or the end of the chord when that is behind: a ray that hits is likely to be inside
@@ -115,24 +115,18 @@ RTG_FN DoubleWord NextMiddle(const DoubleWord after, const real sOut)
 }
 
 // The first plane behind `after` and the axis that it belongs to, or the last point and -1.
-RTG_FN DoubleWord NextPlane(const Planes planes, const DoubleWord after, const DoubleWord last, RTG_OUT(int) axis)
+RTG_FN DoubleWord NextPlane(const DoubleWord3 planes, const DoubleWord after, const DoubleWord last, RTG_OUT(int) axis)
 {
   DoubleWord next = last;
   axis = -1;
-  if (IsLess(after, planes.x) && IsLess(planes.x, next))
+  for (int i = 0; i < 3; ++i)
   {
-    next = planes.x;
-    axis = 0;
-  }
-  if (IsLess(after, planes.y) && IsLess(planes.y, next))
-  {
-    next = planes.y;
-    axis = 1;
-  }
-  if (IsLess(after, planes.z) && IsLess(planes.z, next))
-  {
-    next = planes.z;
-    axis = 2;
+    DoubleWord plane = WordOf(planes, i);
+    if (IsLess(after, plane) && IsLess(plane, next))
+    {
+      next = plane;
+      axis = i;
+    }
   }
   return next;
 }

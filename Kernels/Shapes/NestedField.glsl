@@ -33,7 +33,7 @@ struct NestedField
   real3 o;          // the ray
   real3 d;
   real sOut;
-  Planes planes;
+  DoubleWord3 planes; // where the ray passes them
 };
 
 // The surface at one point of the ray in plain float.
@@ -72,17 +72,12 @@ RTG_FN NestedField MakeNestedField(const Chord chord, const real3 exponents)
   field.steepAt = real2(real(0.0));
   field.leastFall = real2(real(0.0));
   LocalRay unit = chord.unit;
-  field.planes.x = Word(real(RTG_NEVER));
-  field.planes.y = field.planes.x;
-  field.planes.z = field.planes.x;
+  field.planes = PlanesOf(unit, real3(field.convex ? real(1.0) : real(0.0)));
   if (!field.convex)
   {
     field.steepAt = real2(LeastFallAt(field.q), LeastFallAt(field.r));
     field.leastFall.x = field.q < real(1.0) ? exp2((field.q - real(1.0)) * log2(field.steepAt.x)) / field.q : real(0.0);
     field.leastFall.y = field.r < real(1.0) ? exp2((field.r - real(1.0)) * log2(field.steepAt.y)) / field.r : real(0.0);
-    field.planes.x = PassesAt(WordX(unit.origin), WordX(unit.direction), true);
-    field.planes.y = PassesAt(WordY(unit.origin), WordY(unit.direction), true);
-    field.planes.z = PassesAt(WordZ(unit.origin), WordZ(unit.direction), true);
   }
   field.accuracy = real(RTG_ROUNDOFF / 64.0) / (real(1.0) + field.p);
   field.convexWidth = field.convex ? real(RTG_NEVER) : field.p >= real(1.0) ? real(0.05) : real(0.0);

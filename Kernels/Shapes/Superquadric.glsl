@@ -20,10 +20,10 @@ struct SuperquadricField
   real3 base;
   real3 direction;
   real sOut;
-  Planes cusps;
-  real accuracy;    // of s, after the last steps
-  real error;       // rounding of f where its terms are of the order of one
-  real convexWidth; // windows shorter than this are convex
+  DoubleWord3 cusps; // where the ray passes planes that have them
+  real accuracy;     // of s, after the last steps
+  real error;        // rounding of f where its terms are of the order of one
+  real convexWidth;  // windows shorter than this are convex
 };
 
 // f and its terms at one point of the ray.
@@ -113,9 +113,7 @@ RTG_FN SuperquadricField MakeSuperquadricField(const Chord chord, const real3 ex
   field.exponents = exponents;
   field.direction = d;
   field.sOut = chord.sOut;
-  field.cusps.x = PassesAt(WordX(unit.origin), WordX(unit.direction), exponents.x < real(1.0));
-  field.cusps.y = PassesAt(WordY(unit.origin), WordY(unit.direction), exponents.y < real(1.0));
-  field.cusps.z = PassesAt(WordZ(unit.origin), WordZ(unit.direction), exponents.z < real(1.0));
+  field.cusps = PlanesOf(unit, exponents);
   field.accuracy = real(0.5 * RTG_ROUNDOFF) * (chord.sOut - chord.sIn);
   // Vulkan allows log2 an absolute error of 2^-21 next to 1; pow multiplies it by the exponent.
   field.error = real(RTG_ROUNDOFF) * (real(4.0) + real(4.0) * MostOf(exponents));
