@@ -97,27 +97,13 @@ RTG_FN Span Slab(const DoubleWord o, const DoubleWord d, const DoubleWord lower,
 {
   DoubleWord toLower = Subtract(lower, o);
   DoubleWord toUpper = Subtract(upper, o);
-  Span span = WholeRay();
   if (d.hi == real(0.0))
   {
-    if (toLower.hi > real(0.0) || toUpper.hi < real(0.0))
-    {
-      return EmptySpan();
-    }
-    return span;
+    return toLower.hi > real(0.0) || toUpper.hi < real(0.0) ? EmptySpan() : WholeRay();
   }
   DoubleWord sLower = Divide(toLower, d);
   DoubleWord sUpper = Divide(toUpper, d);
-  bool upwards = d.hi > real(0.0);
-  if (upwards)
-  {
-    span = Span(sLower, sUpper, faceLower, faceUpper);
-  }
-  else
-  {
-    span = Span(sUpper, sLower, faceUpper, faceLower);
-  }
-  return span;
+  return d.hi > real(0.0) ? Span(sLower, sUpper, faceLower, faceUpper) : Span(sUpper, sLower, faceUpper, faceLower);
 }
 
 // The box -halfSize <= x, y, z <= halfSize. Faces 0 .. 5 are -x, +x, -y, +y, -z, +z.
@@ -149,26 +135,13 @@ RTG_FN Span RoundSpan(const DoubleWord oy, const DoubleWord oz, const DoubleWord
   // Neither term in s: the ray runs along the body.
   bool along = q.hi == real(0.0) && a.hi == real(0.0);
   DoubleWord first = q.hi == real(0.0) ? Word(real(0.0)) : Divide(c, q);
-  DoubleWord second;
-  if (abs(q.hi) >= real(RTG_NEVER) * abs(a.hi))
-  {
-    second = Word((q.hi < real(0.0)) == (a.hi < real(0.0)) ? real(RTG_NEVER) : -real(RTG_NEVER));
-  }
-  else
-  {
-    second = Divide(q, a);
-  }
-  DoubleWord s1 = second;
-  DoubleWord s2 = first;
-  if (IsLess(first, second))
-  {
-    s1 = first;
-    s2 = second;
-  }
+  real never = (q.hi < real(0.0)) == (a.hi < real(0.0)) ? real(RTG_NEVER) : -real(RTG_NEVER);
+  DoubleWord second = abs(q.hi) >= real(RTG_NEVER) * abs(a.hi) ? Word(never) : Divide(q, a);
+  bool ordered = IsLess(first, second);
+  DoubleWord s1 = ordered ? first : second;
+  DoubleWord s2 = ordered ? second : first;
 
-  Span span = WholeRay();
-  span.faceIn = face;
-  span.faceOut = face;
+  Span span = Span(Word(-real(RTG_NEVER)), Word(real(RTG_NEVER)), face, face);
   // Steeper along the axis than the cone's side: one half line lies in each nappe.
   bool steep = a.hi < real(0.0);
   bool widens = dRho.hi > real(0.0);
@@ -195,15 +168,10 @@ FirstCrossing(const LocalRay ray, const Span span, const real tMin, const real t
   real tIn = RayParameter(ray, span.sIn).hi;
   real tOut = RayParameter(ray, span.sOut).hi;
   bool first = IsEmpty(span) || (tIn >= tMin && tIn <= tMax);
-  crossing.s = span.sOut;
-  crossing.face = span.faceOut;
-  crossing.t = tOut;
-  crossing.leaves = !first;
+  crossing = Crossing(span.sOut, tOut, span.faceOut, true);
   if (first)
   {
-    crossing.s = span.sIn;
-    crossing.face = span.faceIn;
-    crossing.t = tIn;
+    crossing = Crossing(span.sIn, tIn, span.faceIn, false);
   }
   return !IsEmpty(span) && crossing.t >= tMin && crossing.t <= tMax;
 }
@@ -224,12 +192,9 @@ RTG_FN bool NoCrossing(RTG_OUT(LocalRay) ray, RTG_OUT(Crossing) crossing)
   {                                                                                                                    \
     LocalRay local;                                                                                                    \
     Crossing crossing;                                                                                                 \
-    GlyphHit hit;                                                                                                      \
-    hit.found = Shape##Crossing(ray, glyph, tMin, tMax, local, crossing);                                              \
-    hit.leaves = crossing.leaves;                                                                                      \
-    hit.t = crossing.t;                                                                                                \
-    hit.normal = hit.found && wantsNormal ? Shape##Normal(glyph, local, crossing) : -ray.direction;                    \
-    return hit;                                                                                                        \
+    bool found = Shape##Crossing(ray, glyph, tMin, tMax, local, crossing);                                             \
+    return GlyphHit(found, crossing.leaves, crossing.t,                                                                \
+      found && wantsNormal ? Shape##Normal(glyph, local, crossing) : -ray.direction);                                  \
   }
 
 // The local point at s in plain numbers.
