@@ -102,13 +102,8 @@ RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin
   if (apart)
   {
     bool shaftFirst = IsLess(shaftPart.sIn, headPart.sIn);
-    first = headPart;
-    second = shaftPart;
-    if (shaftFirst)
-    {
-      first = shaftPart;
-      second = headPart;
-    }
+    first = shaftFirst ? shaftPart : headPart;
+    second = shaftFirst ? headPart : shaftPart;
   }
   // Both are computed, and one is chosen at the end: see FirstCrossing().
   Crossing other;

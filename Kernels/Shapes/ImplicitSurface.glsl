@@ -92,11 +92,7 @@ RTG_FN LocalRay RayFrom(const LocalRay ray, const DoubleWord where, const int ax
 
 RTG_FN DoubleWord PassesAt(const DoubleWord o, const DoubleWord d, const bool counts)
 {
-  if (!counts || !(abs(d.hi) > real(RTG_TINY)))
-  {
-    return Word(real(RTG_NEVER));
-  }
-  return Divide(Minus(o), d);
+  return counts && abs(d.hi) > real(RTG_TINY) ? Divide(Minus(o), d) : Word(real(RTG_NEVER));
 }
 
 // Where a ray passes the coordinate planes of the axes with exponents below 1.

@@ -228,11 +228,7 @@ RTG_FN real NestedExtremum(const real x, const real dx, const real z, const real
 
 RTG_FN DoubleWord NextBreak(const NestedField field, const DoubleWord after, RTG_OUT(int) axis)
 {
-  DoubleWord last = Word(field.sOut);
-  if (field.convex)
-  {
-    last = NextMiddle(after, field.sOut);
-  }
+  DoubleWord last = field.convex ? NextMiddle(after, field.sOut) : Word(field.sOut);
   DoubleWord next = NextPlane(field.planes, after, last, axis);
   if (!field.convex)
   {
@@ -334,11 +330,7 @@ RTG_FN Window WindowOf(
 
 RTG_FN DoubleWord Magnitude(const DoubleWord a)
 {
-  if (a.hi < real(0.0))
-  {
-    return Minus(a);
-  }
-  return a;
+  return a.hi < real(0.0) ? Minus(a) : a;
 }
 
 // log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the fraction of each in the sum of powers. A rounded p would be
@@ -347,24 +339,14 @@ RTG_FN DoubleWord LogNorm(
   const DoubleWord a, const DoubleWord b, const real exponent, RTG_OUT(DoubleWord) shareA, RTG_OUT(DoubleWord) shareB)
 {
   bool aHigh = !IsLess(a, b);
-  DoubleWord high = a;
-  DoubleWord low = b;
-  if (!aHigh)
-  {
-    high = b;
-    low = a;
-  }
+  DoubleWord high = aHigh ? a : b;
+  DoubleWord low = aHigh ? b : a;
   DoubleWord power = Exp2(Multiply(Subtract(low, high), Divide(Word(real(2.0)), exponent)));
   DoubleWord sum = Add(power, real(1.0));
   DoubleWord shareHigh = Divide(Word(real(1.0)), sum);
   DoubleWord shareLow = Multiply(power, shareHigh);
-  shareA = shareHigh;
-  shareB = shareLow;
-  if (!aHigh)
-  {
-    shareA = shareLow;
-    shareB = shareHigh;
-  }
+  shareA = aHigh ? shareHigh : shareLow;
+  shareB = aHigh ? shareLow : shareHigh;
   return Add(high, Multiply(Log2(sum), real(0.5) * exponent));
 }
 
@@ -383,11 +365,7 @@ RTG_FN DoubleWord LogProfile(const DoubleWord logZ, const real exponent, RTG_OUT
 
 RTG_FN DoubleWord RateOf(const DoubleWord x, const DoubleWord dx)
 {
-  if (!(abs(x.hi) > real(1e-30)))
-  {
-    return Word(real(0.0));
-  }
-  return Divide(dx, x);
+  return abs(x.hi) > real(1e-30) ? Divide(dx, x) : Word(real(0.0));
 }
 
 // The logarithm of g or N.

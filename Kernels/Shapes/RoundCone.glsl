@@ -80,11 +80,7 @@ RTG_FN Span RoundConeSpan(const LocalRay ray, const RoundConeForm form)
   if (form.ball)
   {
     bool lastIsLarger = IsLess(form.first, form.last);
-    DoubleWord middle = firstMiddle;
-    if (lastIsLarger)
-    {
-      middle = form.halfLength;
-    }
+    DoubleWord middle = lastIsLarger ? form.halfLength : firstMiddle;
     return BallSpan(ray, middle, Word(real(1.0)), lastIsLarger ? RTG_LAST_BALL : RTG_FIRST_BALL);
   }
 
@@ -114,15 +110,8 @@ RTG_FN Span RoundConeSpan(const LocalRay ray, const RoundConeForm form)
 RTG_FN Span CutFlat(const LocalRay ray, const RoundConeForm form, const Glyph glyph, const Span span)
 {
   DoubleWord lower = Minus(form.halfLength);
-  DoubleWord upper = form.halfLength;
-  if (!(glyph.before.w < real(0.0)))
-  {
-    lower = Add(lower, real(-2.0));
-  }
-  if (!(glyph.after.w < real(0.0)))
-  {
-    upper = Add(upper, real(2.0));
-  }
+  lower = glyph.before.w < real(0.0) ? lower : Add(lower, real(-2.0));
+  DoubleWord upper = glyph.after.w < real(0.0) ? form.halfLength : Add(form.halfLength, real(2.0));
   return Intersection(Slab(WordX(ray.origin), WordX(ray.direction), lower, upper, RTG_FIRST_DISC, RTG_LAST_DISC), span);
 }
 
