@@ -20,10 +20,7 @@ struct ArrowScale
 
 RTG_FN ArrowScale ScaleOfArrow(const Glyph glyph)
 {
-  ArrowScale scale;
-  scale.times = real(1.0);
-  scale.over = glyph.size;
-  scale.extent = Word(real(1.0));
+  ArrowScale scale = ArrowScale(real(1.0), glyph.size, Word(real(1.0)));
   if (glyph.fixedHeads)
   {
     real tipLength = glyph.arrow.z;

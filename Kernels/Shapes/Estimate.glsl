@@ -20,14 +20,8 @@ struct Enclosure
 // That of a shape from -size / 2 to size / 2 along each of its axes that fills neither cube nor ball.
 RTG_FN Enclosure BoxedEnclosure(const Glyph glyph)
 {
-  Enclosure outer;
-  outer.middle = real3(real(0.0));
-  outer.halfSize = real(0.5) * glyph.size;
-  outer.radius = real(1.7320509); // to the cube's corner
-  outer.boxed = true;
-  outer.fills = false;
-  outer.inWorld = false;
-  return outer;
+  real toCorner = real(1.7320509); // of the cube
+  return Enclosure(real3(real(0.0)), real(0.5) * glyph.size, toCorner, true, false, false);
 }
 
 // The ray in that frame.
@@ -41,12 +35,9 @@ struct EnclosureRay
 // The rounding of the differences and of the line's nearest point is less than 12 u (|v| + radius): see MissesBall.
 RTG_FN EnclosureRay ToSphere(const GlyphRay ray, const Glyph glyph, const real radius)
 {
-  EnclosureRay local;
-  local.o = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
-  local.d = ray.direction;
-  real away = abs(local.o.x) + abs(local.o.y) + abs(local.o.z);
-  local.moved = real(16.0 * RTG_ROUNDOFF) * (away + radius);
-  return local;
+  real3 v = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
+  real away = abs(v.x) + abs(v.y) + abs(v.z);
+  return EnclosureRay(v, ray.direction, real(16.0 * RTG_ROUNDOFF) * (away + radius));
 }
 
 // Turning adds less than 25 u |v| to the origin and 25 u |d| to the direction, which at the glyph's distance is the
@@ -54,13 +45,11 @@ RTG_FN EnclosureRay ToSphere(const GlyphRay ray, const Glyph glyph, const real r
 RTG_FN EnclosureRay ToEnclosure(const GlyphRay ray, const Glyph glyph, const Enclosure outer)
 {
   real3 v = (ray.origin - glyph.center) + (ray.originLow - glyph.centerLow);
-  EnclosureRay local;
-  local.o = (RotateToLocal(glyph, v) - outer.middle) / outer.halfSize;
-  local.d = RotateToLocal(glyph, ray.direction) / outer.halfSize;
   real shortest = min(outer.halfSize.x, min(outer.halfSize.y, outer.halfSize.z));
   real away = abs(v.x) + abs(v.y) + abs(v.z) + abs(outer.middle.x);
-  local.moved = real(64.0 * RTG_ROUNDOFF) * (away / shortest + outer.radius);
-  return local;
+  return EnclosureRay((RotateToLocal(glyph, v) - outer.middle) / outer.halfSize,
+    RotateToLocal(glyph, ray.direction) / outer.halfSize,
+    real(64.0 * RTG_ROUNDOFF) * (away / shortest + outer.radius));
 }
 
 RTG_FN int Estimate(const EnclosureRay ray, const Enclosure outer, const real tMin, const real tMax, RTG_OUT(real) low,

@@ -145,10 +145,8 @@ RTG_FN TaylorError TaylorErrorOf(
   real3 growth = sharp * real3(real(1.0), real(1.0), steep) * abs(d) / max(a, real3(real(0.5)));
   rate = real3(v.x == real(0.0) ? real(0.0) : rate.x, v.y == real(0.0) ? real(0.0) : rate.y,
     v.z == real(0.0) ? real(0.0) : rate.z);
-  TaylorError taylor;
-  taylor.third = sharp * sharp * (bends.x + bends.y + steep * steep * bends.z);
-  taylor.radius = real(1.0) / MostOf(max(rate, growth));
-  return taylor;
+  real third = sharp * sharp * (bends.x + bends.y + steep * steep * bends.z);
+  return TaylorError(third, real(1.0) / MostOf(max(rate, growth)));
 }
 
 // On the coordinate plane of `axis` that coordinate is zero whatever rounding makes of o + s d: next to the rim of a

@@ -67,10 +67,8 @@ RTG_FN HermiteWindow WindowOf(const PlanePoint a, const PlanePoint b, const real
   real sa = a.n.x * a.slope - a.n.y * a.f;
   real sb = b.n.x * b.slope - b.n.y * b.f;
   real third = width * real(1.0 / 3.0);
-  HermiteWindow window;
-  window.value = real4(ha, ha + third * sa, hb - third * sb, hb);
-  window.slope = real3(sa, real(3.0) * (hb - ha) / width - sa - sb, sb);
-  return window;
+  return HermiteWindow(real4(ha, ha + third * sa, hb - third * sb, hb),
+    real3(sa, real(3.0) * (hb - ha) / width - sa - sb, sb));
 }
 
 // Where the cubic's slope changes its sign, as a fraction of the window.
@@ -415,23 +413,11 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
   plane.start = max(plane.start, -reach);
   plane.end = min(plane.end, reach);
 
-  PolynomialSearch search;
-  search.step = QuarterStep(degree);
-  search.width = real(1.5707963) / real(degree + 1);
-  search.near = plane.start;
-  search.inside = false;
-  search.steps = 0;
-  search.sign = real(1.0);
-  search.low = plane.start;
-  search.high = plane.start;
-  search.touches = false;
-  search.turnsBack = false;
-  search.atExtremum = false;
-  search.pad = real2(real(0.0));
-  search.known = true;
-  search.a.n = DirectionAt(plane, plane.start);
-  search.a.f = real(0.0);
-  search.a.slope = real(0.0);
+  // Outside where it starts
+  PlanePoint first = PlanePoint(DirectionAt(plane, plane.start), real(0.0), real(0.0));
+  PolynomialSearch search =
+    PolynomialSearch(first, false, QuarterStep(degree), real(1.5707963) / real(degree + 1), real(1.0), plane.start,
+      plane.start, plane.start, false, false, false, real2(real(0.0)), true, 0);
   real passed = -real(RTG_NEVER); // where the last crossing was
   bool more = plane.start < plane.end;
   while (more)

@@ -129,11 +129,7 @@ RTG_FN PlanePoint PlaneAt(const PlaneForm form, const int degree, const real2 n)
     f = ComplexProduct(f + coefficient, z);
     slope = ComplexProduct(slope + real(m) * coefficient, z);
   }
-  PlanePoint point;
-  point.n = n;
-  point.f = f.x + form.cosine[0];
-  point.slope = real(-2.0) * slope.y;
-  return point;
+  return PlanePoint(n, f.x + form.cosine[0], real(-2.0) * slope.y);
 }
 
 // f in the direction of a point and its gradient there, from double words.

@@ -159,14 +159,9 @@ RTG_FN Window WindowOf(const SuperquadricField field, const SuperquadricProbe a,
   real3 concave = real3(e.x < real(1.0) ? change.x : real(0.0), e.y < real(1.0) ? change.y : real(0.0),
     e.z < real(1.0) ? change.z : real(0.0));
 
-  Window window;
-  window.empty = false;
-  window.unique = allConvex || allConcave || SumOf(steepest) < real(0.0);
-  window.single = MostOf(concave) < real(0.02);
-  window.convex = sign > real(0.0) ? allConvex : allConcave;
-  window.slopeA = SumOf(lineA);
-  window.slopeB = SumOf(lineB);
-  return window;
+  bool unique = allConvex || allConcave || SumOf(steepest) < real(0.0);
+  bool convex = sign > real(0.0) ? allConvex : allConcave;
+  return Window(false, unique, MostOf(concave) < real(0.02), convex, SumOf(lineA), SumOf(lineB));
 }
 
 // The second derivative of a term, unless its plane is too near for it to mean anything.
