@@ -213,8 +213,7 @@ ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 h
   real3 o = RotateToLocal(glyph, near.origin.hi) - middle;
   real3 d = RotateToLocal(glyph, near.direction.hi);
   real padding = real(64.0 * RTG_ROUNDOFF) * (radius + abs(middle.x));
-  real sIn;
-  real sOut;
+  real sIn, sOut;
   if (!BoxChord(o, d, halfSize + real3(padding), sIn, sOut))
   {
     return false;

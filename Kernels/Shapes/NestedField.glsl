@@ -385,8 +385,7 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
     }
     y = Subtract(y, profile);
   }
-  DoubleWord weightX;
-  DoubleWord weightY;
+  DoubleWord weightX, weightY;
   DoubleWord norm = LogNorm(x, y, field.exponents.x, weightX, weightY);
   DoubleWord rateZ = RateOf(WordZ(at.origin), WordZ(at.direction));
   DoubleWord rateX = RateOf(WordX(at.origin), WordX(at.direction));
@@ -405,8 +404,7 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
   real3 weights = real3(weightX.hi, weightY.hi, weightX.hi * falls.x + weightY.hi * falls.y);
   if (field.convex)
   {
-    DoubleWord weightRho;
-    DoubleWord weightZ;
+    DoubleWord weightRho, weightZ;
     norm = LogNorm(norm, z, field.exponents.y, weightRho, weightZ);
     real2 slopes = real2(slope.hi, rateZ.hi);
     slope = Add(Multiply(weightRho, slope), Multiply(weightZ, rateZ));

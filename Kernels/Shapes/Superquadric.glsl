@@ -76,8 +76,7 @@ RTG_FN SuperquadricProbe ProbeAt(const SuperquadricField field, const DoubleWord
   real3 p = OffPlane(axis) * ((real3(where.hi) - field.zero) * field.direction + field.base);
   real3 d = field.direction;
   real3 e = field.exponents;
-  real3 third;
-  real3 radius;
+  real3 third, radius;
   ProbeAxis(p.x, d.x, e.x, probe.terms.x, probe.slopes.x, third.x, radius.x);
   ProbeAxis(p.y, d.y, e.y, probe.terms.y, probe.slopes.y, third.y, radius.y);
   ProbeAxis(p.z, d.z, e.z, probe.terms.z, probe.slopes.z, third.z, radius.z);
@@ -143,9 +142,7 @@ RTG_FN void WindowAxis(const real e, const real outward, const real termA, const
 RTG_FN Window WindowOf(const SuperquadricField field, const SuperquadricProbe a, const SuperquadricProbe b,
   const real sign, const real width)
 {
-  real3 lineA;
-  real3 lineB;
-  real3 steepest;
+  real3 lineA, lineB, steepest;
   real3 e = field.exponents;
   WindowAxis(e.x, sign, a.terms.x, b.terms.x, a.slopes.x, b.slopes.x, width, lineA.x, lineB.x, steepest.x);
   WindowAxis(e.y, sign, a.terms.y, b.terms.y, a.slopes.y, b.slopes.y, width, lineA.y, lineB.y, steepest.y);
@@ -203,8 +200,7 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at, c
     real inverse = x.hi > real(1e-30) ? real(1.0) / x.hi : real(0.0);
     real gradient = e * term.hi * inverse;
     real slope = gradient * d.hi;
-    real third;
-    real radius;
+    real third, radius;
     rate[axis] = d.hi * inverse;
     ParabolaAxis(x.hi, d.hi, e, slope, rate[axis], third, radius);
     point.value = Add(point.value, term);

@@ -136,8 +136,7 @@ RTG_FN real HeightOfCrossing(
   real scale = real(1.0) + length(displacement);
   for (int i = 0; i < 80 && !search.done; ++i)
   {
-    real rate;
-    real bend;
+    real rate, bend;
     real3 squares = max(real3(1.0) + (start + search.at) * growth, real3(RTG_LEAST_SQUARE));
     DepthInSweep(o - search.at * displacement, d, displacement, growth, real3(1.0) / squares, side, rate, bend);
     // Steps are short, too, where the line hardly meets that ellipsoid.
