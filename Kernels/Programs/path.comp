@@ -31,19 +31,11 @@ const float leastSurvival = 0.25;
 Surface SurfaceOfHit(const SurfaceHit hit)
 {
   GlyphSetRecord set = SetRecord(hit.record);
-  Surface surface;
-  surface.base = set.diffuse * DisplayToLinear(hit.color.rgb);
-  surface.base *= AlbedoScale(hit, surface.base);
-  surface.metallic = set.metallic;
-  surface.roughness = set.roughness;
+  vec3 base = set.diffuse * DisplayToLinear(hit.color.rgb);
   // Burley's range: Specular 0.5 is the usual dielectric of refractive index 1.5.
-  surface.reflectance = 0.08 * set.specular;
-  surface.specularColor = DisplayToLinear(set.specularColor);
-  surface.coat = set.coatStrength;
-  surface.coatRoughness = set.coatRoughness;
-  surface.coatReflectance = set.coatReflectance;
-  surface.coatColor = DisplayToLinear(set.coatColor);
-  return surface;
+  return Surface(base * AlbedoScale(hit, base), set.metallic, set.roughness, 0.08 * set.specular,
+    DisplayToLinear(set.specularColor), set.coatStrength, set.coatRoughness, set.coatReflectance,
+    DisplayToLinear(set.coatColor));
 }
 
 // The ground's, which sends back all light evenly.
@@ -60,12 +52,8 @@ vec3 EvaluateAt(const bool onGround, const Surface surface, const vec3 from, con
 // The numbers that decide one scattering; those that the surface does not need are not drawn.
 ScatterNumbers DrawNumbers(const Surface surface, const SampleNumber number, const uint bounce)
 {
-  ScatterNumbers u;
-  u.direction = SamplePair(number, PairOf(bounce, pairDirection));
-  u.lobe = vec2(0.0);
-  u.facet = vec2(0.0);
-  u.coatFacet = vec2(0.0);
-  u.chance = vec2(0.0);
+  vec2 direction = SamplePair(number, PairOf(bounce, pairDirection));
+  ScatterNumbers u = ScatterNumbers(direction, vec2(0.0, 1.0), vec2(0.0), vec2(0.0), vec2(0.0));
   if (surface.coat > 0.0)
   {
     u.coatFacet = SamplePair(number, PairOf(bounce, pairCoatFacet));
@@ -73,10 +61,6 @@ ScatterNumbers DrawNumbers(const Surface surface, const SampleNumber number, con
   if (surface.coat > 0.0 || surface.metallic > 0.0)
   {
     u.lobe = SamplePair(number, PairOf(bounce, pairLobe));
-  }
-  else
-  {
-    u.lobe.y = 1.0;
   }
   if (surface.metallic > 0.0 || surface.reflectance > 0.0)
   {
@@ -255,11 +239,7 @@ void main()
         camera ? cameraMask : ANY_MASK, translucency ? SeedOf(number, 2u * bounce) : 0u, false);
     if (shadow)
     {
-      DirectLight direct = fromEnvironment;
-      if (asksLights)
-      {
-        direct = fromLights;
-      }
+      DirectLight direct = asksLights ? fromLights : fromEnvironment;
       query = ShadowQuery(origin, direct.direction, direct.distance, direct.seed);
     }
 
@@ -322,29 +302,23 @@ void main()
     if (onward && onGround)
     {
       surface = GroundSurface();
-      first = hit;
-      origin = start = LeaveGround(ray, hit);
-      firstDirection = direction;
-      number.index = s * frame.raysPerSample;
+      origin = LeaveGround(ray, hit);
     }
     else if (onward)
     {
       surface = SurfaceOfHit(hit);
       onward = Survives(number, bounce, surface, hit, direction, throughput, radiance);
-    }
-    if (onward && !onGround)
-    {
       FaceForward(hit, direction);
       origin = LeaveSurface(ray, hit);
-      if (camera)
-      {
-        first = hit;
-        start = origin;
-        firstDirection = direction;
-        number.index = s * frame.raysPerSample;
-      }
     }
-    else if (!camera && path + 1u < frame.raysPerSample)
+    if (onward && camera)
+    {
+      first = hit;
+      start = origin;
+      firstDirection = direction;
+      number.index = s * frame.raysPerSample;
+    }
+    else if (!onward && !camera && path + 1u < frame.raysPerSample)
     {
       // The sample's next path.
       ++path;
@@ -354,14 +328,7 @@ void main()
       hit = first;
       origin = start;
       direction = firstDirection;
-      if (onGround)
-      {
-        surface = GroundSurface();
-      }
-      else
-      {
-        surface = SurfaceOfHit(hit);
-      }
+      surface = onGround ? GroundSurface() : SurfaceOfHit(hit);
       onward = true;
     }
 
