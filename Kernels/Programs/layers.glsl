@@ -14,13 +14,9 @@ struct Layers
 
 Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
 {
-  Layers layers;
-  layers.ray = EnterScene(origin, direction);
-  layers.tMin = max(frame.nearDepth - layers.ray.start, 0.0);
-  layers.transmittance = 1.0;
-  layers.count = 0u;
+  SceneRay ray = EnterScene(origin, direction);
   layerCount = layerLimit = layerNext = 0u;
-  return layers;
+  return Layers(ray, max(frame.nearDepth - ray.start, 0.0), 1.0, 0u);
 }
 
 // Traces on to the next layer.

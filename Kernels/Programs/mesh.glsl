@@ -27,13 +27,10 @@ MeshRay ToMesh(const GlyphRay ray, const Glyph glyph, const GlyphSetRecord set)
   Glyph centered = AboutMiddle(glyph, set);
   LocalRay local = RotateToLocal(NearRay(ray, centered), centered);
   vec3 origin = local.origin.hi / glyph.size;
-  MeshRay found;
-  found.direction = local.direction.hi / glyph.size;
+  vec3 direction = local.direction.hi / glyph.size;
   // Sizes that differ move the nearest point.
-  local = Advance(local, -dot(origin, found.direction) / dot(found.direction, found.direction));
-  found.origin = local.origin.hi / glyph.size;
-  found.start = local.start;
-  return found;
+  local = Advance(local, -dot(origin, direction) / dot(direction, direction));
+  return MeshRay(local.origin.hi / glyph.size, direction, local.start);
 }
 
 // Time of the ray in flight for positions of meshes.
@@ -81,12 +78,9 @@ struct ShearedRay
 ShearedRay Shear(const MeshRay ray)
 {
   vec3 size = abs(ray.direction);
-  ShearedRay sheared;
-  sheared.origin = ray.origin;
-  sheared.axis = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
-  vec3 d = Cycled(ray.direction, sheared.axis);
-  sheared.shear = vec3(d.xy / d.z, 1.0 / d.z);
-  return sheared;
+  uint axis = size.x > size.y ? (size.x > size.z ? 0u : 2u) : (size.y > size.z ? 1u : 2u);
+  vec3 d = Cycled(ray.direction, axis);
+  return ShearedRay(ray.origin, vec3(d.xy / d.z, 1.0 / d.z), axis);
 }
 
 vec3 Sheared(const vec3 position, const ShearedRay ray)

@@ -28,8 +28,7 @@ void CameraRay(const SampleNumber number, const vec2 position, out DoubleWord3 o
 {
   vec2 ndc = 2.0 * (vec2(number.pixel) + position) / vec2(frame.width, frame.height) - 1.0;
   direction = frame.forward + ndc.x * frame.right + ndc.y * frame.up;
-  origin.hi = frame.eye;
-  origin.lo = frame.eyeLow;
+  origin = DoubleWord3(frame.eye, frame.eyeLow);
   if (frame.parallel != 0u)
   {
     origin = Add(origin, TwoProduct(frame.eyeRight, vec3(ndc.x)));

@@ -56,12 +56,9 @@ BoxRay MakeBoxRay(const vec3 origin, const vec3 rounded, const vec3 direction)
   float enough = max(max(longest * 5.4210108624275222e-20, farthest * 6.1629758220391547e-33), 1e-37);
   float least = min(longest * 5.9604644775390625e-8, enough);
   vec3 safe = mix(direction, vec3(least), lessThan(abs(direction), vec3(least)));
-  BoxRay ray;
-  ray.origin = origin;
-  ray.inverse = 1.0 / safe;
-  ray.tolerance = 2.384185791015625e-7 * rounded * abs(ray.inverse);
-  ray.signs = (safe.x < 0.0 ? 1u : 0u) | (safe.y < 0.0 ? 2u : 0u) | (safe.z < 0.0 ? 4u : 0u);
-  return ray;
+  vec3 inverse = 1.0 / safe;
+  uint signs = (safe.x < 0.0 ? 1u : 0u) | (safe.y < 0.0 ? 2u : 0u) | (safe.z < 0.0 ? 4u : 0u);
+  return BoxRay(origin, inverse, 2.384185791015625e-7 * rounded * abs(inverse), signs);
 }
 
 // Parameters at which the ray meets four planes along one axis.
