@@ -37,6 +37,11 @@ struct DirectLighting
   float distance;
 };
 
+DirectLighting BeginLighting(const vec3 position, const vec3 normal, const vec3 toViewer, const float power)
+{
+  return DirectLighting(0u, LocalLight(vec3(0.0), vec3(0.0)), position, normal, toViewer, power, vec3(0.0), 0.0);
+}
+
 // Adds lights that cast no shadows here, up to the first that may.
 void NextLight(inout DirectLighting direct, const vec2 u)
 {
@@ -180,12 +185,8 @@ void main()
         vec3 place = layers.ray.origin.hi + hit.t * direction;
         if (shadows)
         {
-          direct.light = 0u;
-          direct.sum = LocalLight(vec3(0.0), vec3(0.0));
-          direct.position = place;
-          direct.normal = LitNormal(hit, direction);
-          direct.toViewer = normalize(frame.viewPosition - place);
-          direct.power = set.specularPower;
+          direct = BeginLighting(
+            place, LitNormal(hit, direction), normalize(frame.viewPosition - place), set.specularPower);
           adds = true;
         }
         else
@@ -215,12 +216,7 @@ void main()
       {
         start = LeaveGround(layers.ray, hit);
         Tangents(hit.normal, x, y);
-        direct.light = shadows ? 0u : frame.lightCount;
-        direct.sum = LocalLight(vec3(0.0), vec3(0.0));
-        direct.position = start.hi;
-        direct.normal = hit.normal;
-        direct.toViewer = hit.normal;
-        direct.power = 0.0;
+        direct = BeginLighting(start.hi, hit.normal, hit.normal, 0.0);
         adds = shadows;
         lightScale = sky ? frame.lightFraction : groundLights;
         LocalLight full = LocalLight(vec3(0.0), vec3(0.0));
