@@ -226,17 +226,8 @@ RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const real 
     innerOut = IsInner(form, glyph, PointAt(local, span.sOut), span.faceOut);
   }
   // The remaining ones of the two crossings.
-  Span kept = span;
-  if (innerIn)
-  {
-    kept.sIn = span.sOut;
-    kept.faceIn = span.faceOut;
-  }
-  if (innerOut)
-  {
-    kept.sOut = span.sIn;
-    kept.faceOut = span.faceIn;
-  }
+  Span kept = Span(innerIn ? span.sOut : span.sIn, innerOut ? span.sIn : span.sOut,
+    innerIn ? span.faceOut : span.faceIn, innerOut ? span.faceIn : span.faceOut);
   bool found = FirstCrossing(local, kept, tMin, tMax, crossing) && !(innerIn && innerOut);
   crossing.leaves = crossing.leaves || innerIn;
   return found;

@@ -38,20 +38,16 @@ RTG_FN bool IsEmpty(const Span span)
   return IsLess(span.sOut, span.sIn) || !(span.sIn.hi <= span.sOut.hi);
 }
 
+// The span that begins as a or, with `inOfB`, as b, and likewise ends.
+RTG_FN Span Ends(const Span a, const Span b, const bool inOfB, const bool outOfB)
+{
+  return Span(inOfB ? b.sIn : a.sIn, outOfB ? b.sOut : a.sOut, inOfB ? b.faceIn : a.faceIn,
+    outOfB ? b.faceOut : a.faceOut);
+}
+
 RTG_FN Span Intersection(const Span a, const Span b)
 {
-  Span both = a;
-  if (IsLess(a.sIn, b.sIn))
-  {
-    both.sIn = b.sIn;
-    both.faceIn = b.faceIn;
-  }
-  if (IsLess(b.sOut, a.sOut))
-  {
-    both.sOut = b.sOut;
-    both.faceOut = b.faceOut;
-  }
-  return both;
+  return Ends(a, b, IsLess(a.sIn, b.sIn), IsLess(b.sOut, a.sOut));
 }
 
 // The smallest span that holds both; the union when they touch.
@@ -59,18 +55,7 @@ RTG_FN Span Hull(const Span a, const Span b)
 {
   bool hasA = !IsEmpty(a);
   bool hasB = !IsEmpty(b);
-  Span hull = a;
-  if (hasB && (!hasA || IsLess(b.sIn, a.sIn)))
-  {
-    hull.sIn = b.sIn;
-    hull.faceIn = b.faceIn;
-  }
-  if (hasB && (!hasA || IsLess(a.sOut, b.sOut)))
-  {
-    hull.sOut = b.sOut;
-    hull.faceOut = b.faceOut;
-  }
-  return hull;
+  return Ends(a, b, hasB && (!hasA || IsLess(b.sIn, a.sIn)), hasB && (!hasA || IsLess(a.sOut, b.sOut)));
 }
 
 // The ray from where it is nearest to a point of the x axis, which becomes the frame's origin; `x` is that of the ray's
