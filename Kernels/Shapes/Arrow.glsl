@@ -127,21 +127,12 @@ RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const Crossing
 {
   real3 p = PointAt(local, crossing.s);
   bool backwards = crossing.face == RTG_TAIL || crossing.face == RTG_HEAD_BASE;
-  real3 normal = real3(backwards ? real(-1.0) : real(1.0), real(0.0), real(0.0));
-  if (crossing.face == RTG_SHAFT_SIDE)
-  {
-    normal = real3(real(0.0), p.y, p.z);
-  }
-  if (crossing.face == RTG_HEAD_CONE)
-  {
-    // At the apex there is none.
-    real radius = sqrt(p.y * p.y + p.z * p.z);
-    normal = radius > real(0.0) ? real3(HeadOfArrow(glyph).slope.hi * radius, p.y, p.z) : normal;
-  }
-  if (crossing.face == RTG_HEAD_BALL)
-  {
-    normal = real3(HeadOfArrow(glyph).ball.hi - p.x, p.y, p.z);
-  }
+  real3 flat_ = real3(backwards ? real(-1.0) : real(1.0), real(0.0), real(0.0));
+  real radius = sqrt(p.y * p.y + p.z * p.z); // zero at the apex, where there is no normal
+  real3 normal = crossing.face == RTG_SHAFT_SIDE           ? real3(real(0.0), p.y, p.z)
+    : crossing.face == RTG_HEAD_BALL                       ? real3(HeadOfArrow(glyph).ball.hi - p.x, p.y, p.z)
+    : crossing.face == RTG_HEAD_CONE && radius > real(0.0) ? real3(HeadOfArrow(glyph).slope.hi * radius, p.y, p.z)
+                                                           : flat_;
   if (!glyph.fixedHeads)
   {
     real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));

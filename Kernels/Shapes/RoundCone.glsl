@@ -261,16 +261,10 @@ RTG_FN int EstimateInNextPiece(const real3 p, const real3 joint, const real radi
   real toEnd = run + next.w * sine - along;
   real depth = next.w * next.w - dot(p - far, p - far);
   real depthTolerance = real(8.0) * extent * error;
-  int answer = RTG_UNKNOWN;
-  if (touches && beyond > tolerance && (toEnd > tolerance || depth > depthTolerance))
-  {
-    answer = RTG_INSIDE;
-  }
-  if (beyond < -tolerance || (toEnd < -tolerance && depth < -depthTolerance))
-  {
-    answer = RTG_OUTSIDE;
-  }
-  return squaredCosine > real(0.0625) ? answer : RTG_UNKNOWN;
+  bool inside = touches && beyond > tolerance && (toEnd > tolerance || depth > depthTolerance);
+  bool outside = beyond < -tolerance || (toEnd < -tolerance && depth < -depthTolerance);
+  bool certain = squaredCosine > real(0.0625) && (inside || outside);
+  return !certain ? RTG_UNKNOWN : outside ? RTG_OUTSIDE : RTG_INSIDE;
 }
 
 // What is certain of IsInner(), at a point p of a round cone whose side has that sine and cosine.
@@ -304,16 +298,9 @@ EstimateInner(const Glyph glyph, const real3 p, const real sine, const real cosi
   }
   bool cut = (glyph.before.w < real(0.0) && !(p.x + halfLength > tolerance)) ||
     (glyph.after.w < real(0.0) && !(halfLength - p.x > tolerance));
-  int answer = RTG_UNKNOWN;
-  if (inBefore == RTG_OUTSIDE && inAfter == RTG_OUTSIDE)
-  {
-    answer = RTG_OUTSIDE;
-  }
-  if (inBefore == RTG_INSIDE || inAfter == RTG_INSIDE)
-  {
-    answer = RTG_INSIDE;
-  }
-  return cut ? RTG_UNKNOWN : answer;
+  bool inside = inBefore == RTG_INSIDE || inAfter == RTG_INSIDE;
+  bool outside = inBefore == RTG_OUTSIDE && inAfter == RTG_OUTSIDE;
+  return cut || !(inside || outside) ? RTG_UNKNOWN : inside ? RTG_INSIDE : RTG_OUTSIDE;
 }
 
 // What plain float proves of a candidate that its enclosure leaves open: README.md, Estimates of round cones. Where the
@@ -458,19 +445,12 @@ RTG_FN real3 RoundConeNormal(const Glyph glyph, const LocalRay local, const Cros
   LocalRay at = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
   DoubleWord x = WordX(at.origin);
   real3 p = at.origin.hi;
-  real3 normal = real3(crossing.face == RTG_FIRST_DISC ? real(-1.0) : real(1.0), real(0.0), real(0.0));
-  if (crossing.face == RTG_SIDE)
-  {
-    normal = real3(form.sine.hi * sqrt(p.y * p.y + p.z * p.z), form.cosine.hi * p.y, form.cosine.hi * p.z);
-  }
-  if (crossing.face == RTG_FIRST_BALL)
-  {
-    normal = real3(Add(x, form.halfLength).hi, p.y, p.z);
-  }
-  if (crossing.face == RTG_LAST_BALL)
-  {
-    normal = real3(Subtract(x, form.halfLength).hi, p.y, p.z);
-  }
+  real3 flat_ = real3(crossing.face == RTG_FIRST_DISC ? real(-1.0) : real(1.0), real(0.0), real(0.0));
+  real3 normal = crossing.face == RTG_SIDE
+    ? real3(form.sine.hi * sqrt(p.y * p.y + p.z * p.z), form.cosine.hi * p.y, form.cosine.hi * p.z)
+    : crossing.face == RTG_FIRST_BALL ? real3(Add(x, form.halfLength).hi, p.y, p.z)
+    : crossing.face == RTG_LAST_BALL  ? real3(Subtract(x, form.halfLength).hi, p.y, p.z)
+                                      : flat_;
   // A ball without radius is an apex, which has none.
   normal =
     dot(normal, normal) > real(0.0) ? normal : real3(p.x < real(0.0) ? real(-1.0) : real(1.0), real(0.0), real(0.0));
