@@ -172,11 +172,7 @@ bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay 
 {
   bool single = rayQueries || Has(set.variants, SECTION_MOVES);
   bool cuts = single && CutsGlyphs(set);
-  Span body = WholeRay();
-  if (cuts)
-  {
-    body = SectionSpan(set, ray, number, glyph);
-  }
+  Span body = cuts ? SectionSpan(set, ray, number, glyph) : WholeRay();
   bool met = false;
   for (uint part = 0u; part < (cuts ? 2u : 1u) && !(any && met); ++part)
   {

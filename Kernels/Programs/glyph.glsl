@@ -97,12 +97,8 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, co
 // A mesh is as large as its triangles are spread.
 float ExtentOf(const GlyphSetRecord set, const Glyph glyph)
 {
-  float extent = LargestOf(glyph.size);
-  if (IsOfShape(set.shape, RTG_MESH))
-  {
-    extent *= set.meshRadius;
-  }
-  return extent;
+  float largest = LargestOf(glyph.size);
+  return IsOfShape(set.shape, RTG_MESH) ? largest * set.meshRadius : largest;
 }
 
 // How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled.

@@ -68,24 +68,14 @@ Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, c
   {
     height = SumOf(Multiply(origin, normal));
   }
-  DoubleWord lower = DoubleWord(slab.lower.x, slab.lower.y);
-  DoubleWord upper = DoubleWord(slab.upper.x, slab.upper.y);
   DoubleWord slope = SumOf(TwoProduct(ray.direction, normal));
   // A plane that is not there is no number to divide by a small slope: the product overflows.
   bool openBelow = slab.lower.x == SECTION_UNBOUNDED && slope.hi != 0.0;
-  if (openBelow)
-  {
-    lower = upper;
-  }
-  Span span = Slab(height, slope, lower, upper, firstPlane, firstPlane + 1);
-  if (openBelow && slope.hi > 0.0)
-  {
-    span.sIn = Word(-RTG_NEVER);
-  }
-  if (openBelow && slope.hi < 0.0)
-  {
-    span.sOut = Word(RTG_NEVER);
-  }
+  vec2 lower = openBelow ? slab.upper : slab.lower;
+  Span span = Slab(height, slope, DoubleWord(lower.x, lower.y), DoubleWord(slab.upper.x, slab.upper.y), firstPlane,
+    firstPlane + 1);
+  span.sIn = openBelow && slope.hi > 0.0 ? Word(-RTG_NEVER) : span.sIn;
+  span.sOut = openBelow && slope.hi < 0.0 ? Word(RTG_NEVER) : span.sOut;
   return span;
 }
 

@@ -9,11 +9,8 @@ bool LeavesColors(const GlyphSetRecord set, const vec4 color)
 // The normal of an analytic shape where only t is known.
 vec3 NormalOnGlyph(const GlyphSource source, const GlyphRay ray, const uint glyph, const float t)
 {
-  if (IsOfShape(source.set.shape, RTG_MESH))
-  {
-    return vec3(0.0);
-  }
-  return GlyphNormal(source.set.shape, ray, FetchGlyph(source, glyph), t);
+  return IsOfShape(source.set.shape, RTG_MESH) ? vec3(0.0)
+                                               : GlyphNormal(source.set.shape, ray, FetchGlyph(source, glyph), t);
 }
 
 // `glyph`: its number in the set. `normal`: of an analytic shape. `triangle`: of a mesh. `seed`: of the ray, see
@@ -32,11 +29,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   else
   {
     hit.t = t;
-    hit.normal = normal;
-    if (cap)
-    {
-      hit.normal = CapNormal(set, glyph, triangle);
-    }
+    hit.normal = cap ? CapNormal(set, glyph, triangle) : normal;
     hit.shadingNormal = hit.normal;
     // The shapes' bound is 1e-6 sizes (Shapes/README.md).
     hit.error = leavesSurface ? 2e-6 * ExtentOf(set, found) : 0.0;

@@ -80,14 +80,8 @@ SurfaceHit Trace(const Query query, const bool gathers)
       layerCount = layerNext = 0u;
       layersStopLight = false;
     }
-    if (rayQueries)
-    {
-      found = QueryStructure(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
-    }
-    else
-    {
-      found = WalkSets(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
-    }
+    found = rayQueries ? QueryStructure(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers)
+                       : WalkSets(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
   }
   if (layered && gathers)
   {
@@ -104,11 +98,7 @@ SurfaceHit Trace(const Query query, const bool gathers)
     if (!query.any)
     {
       GlyphSource source = SourceOf(SetRecord(found.record));
-      vec3 normal = found.normal;
-      if (layered && gathers)
-      {
-        normal = NormalOnGlyph(source, ray, found.glyph, found.t);
-      }
+      vec3 normal = layered && gathers ? NormalOnGlyph(source, ray, found.glyph, found.t) : found.normal;
       hit = HitOnGlyph(found.record, source, ray, found.glyph, found.t, normal, found.triangle, query.seed);
     }
   }
