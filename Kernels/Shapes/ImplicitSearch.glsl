@@ -291,10 +291,17 @@ RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real hig
 }
 
 // The nearest crossing in [tMin, tMax].
-RTG_FN SurfaceCrossing NearestCrossing(
-  const RTG_FIELD field, const Chord chord, const real tMin, const real tMax, const bool wantsGradient)
+RTG_FN SurfaceCrossing RTG_CROSSING(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
 {
+  Chord chord;
+  bool near = ToChord(ray, glyph, tMin, tMax, chord);
   SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
+  if (!near)
+  {
+    return crossing;
+  }
+  RTG_FIELD field = RTG_MAKE_FIELD(chord, glyph.exponents);
   RTG_SEARCH search = StartSearch(field, chord);
   real margin = real(64.0 * RTG_ROUNDOFF) * (chord.sOut - chord.sIn);
   bool more = true;
@@ -336,19 +343,6 @@ RTG_FN SurfaceCrossing NearestCrossing(
     }
   }
   crossing.steps = search.steps;
-  return crossing;
-}
-
-RTG_FN SurfaceCrossing RTG_CROSSING(
-  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
-{
-  Chord chord;
-  bool near = ToChord(ray, glyph, tMin, tMax, chord);
-  SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
-  if (near)
-  {
-    crossing = NearestCrossing(RTG_MAKE_FIELD(chord, glyph.exponents), chord, tMin, tMax, wantsGradient);
-  }
   return crossing;
 }
 
