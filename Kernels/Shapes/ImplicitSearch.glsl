@@ -324,11 +324,7 @@ RTG_FN SurfaceCrossing RTG_CROSSING(
       more = !(crosses && t >= tMin);
       if (!more)
       {
-        crossing.found = t <= tMax;
-        crossing.leaves = !search.a.outside;
-        crossing.t = t;
-        crossing.at = at;
-        crossing.gradient = gradient;
+        crossing = SurfaceCrossing(t <= tMax, !search.a.outside, t, at, gradient, 0);
       }
       else if (crosses && !changes)
       {

@@ -449,10 +449,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
         if (settled >= RTG_ZERO && t >= tMin)
         {
           more = false;
-          crossing.found = t <= tMax;
-          crossing.leaves = search.inside;
-          crossing.t = t;
-          crossing.at = at;
+          crossing = SurfaceCrossing(t <= tMax, search.inside, t, at, crossing.gradient, 0);
         }
       }
       bool crosses = settled >= RTG_ZERO;

@@ -376,13 +376,9 @@ RTG_FN GlyphHit IntersectSweptEllipsoid(
     {
       SweptPoint point;
       met = IntersectSweep(swept, real(side), wantsNormal ? real(0.0) : enough, point);
-      hit.found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
-      hit.leaves = side == RTG_EXIT;
-      hit.t = point.t;
-      if (hit.found && wantsNormal)
-      {
-        hit.normal = SweptNormal(glyph, point.gradient);
-      }
+      bool found = met && point.t >= tMin && point.t <= tMax && !(glyph.joined && IsInner(swept, glyph, point));
+      hit = GlyphHit(
+        found, side == RTG_EXIT, point.t, found && wantsNormal ? SweptNormal(glyph, point.gradient) : -ray.direction);
     }
   }
   return hit;
