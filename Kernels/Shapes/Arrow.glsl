@@ -83,36 +83,20 @@ RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin
   {
     return NoCrossing(local, crossing);
   }
-  Span shaftPart = EmptySpan();
-  Span headPart = EmptySpan();
-  if (HasShaft(glyph, scale))
-  {
-    shaftPart = ShaftSpan(local, glyph, scale);
-  }
-  if (HasHead(glyph))
-  {
-    headPart = HeadSpan(local, glyph, HeadOfArrow(glyph));
-  }
+  Span shaftPart = HasShaft(glyph, scale) ? ShaftSpan(local, glyph, scale) : EmptySpan();
+  Span headPart = HasHead(glyph) ? HeadSpan(local, glyph, HeadOfArrow(glyph)) : EmptySpan();
 
   // Shaft and head meet in the plane of the head's base, to the bit: their spans meet there or are apart.
   bool apart = IsEmpty(shaftPart) || IsEmpty(headPart) || IsLess(headPart.sOut, shaftPart.sIn) ||
     IsLess(shaftPart.sOut, headPart.sIn);
-  Span first = Hull(shaftPart, headPart);
-  Span second = EmptySpan();
-  if (apart)
-  {
-    bool shaftFirst = IsLess(shaftPart.sIn, headPart.sIn);
-    first = shaftFirst ? shaftPart : headPart;
-    second = shaftFirst ? headPart : shaftPart;
-  }
+  bool shaftFirst = IsLess(shaftPart.sIn, headPart.sIn);
+  Span first = !apart ? Hull(shaftPart, headPart) : shaftFirst ? shaftPart : headPart;
+  Span second = !apart ? EmptySpan() : shaftFirst ? headPart : shaftPart;
   // Both are computed, and one is chosen at the end: see FirstCrossing().
   Crossing other;
   bool found = FirstCrossing(local, first, tMin, tMax, crossing);
   bool foundOther = FirstCrossing(local, second, tMin, tMax, other);
-  if (!found)
-  {
-    crossing = other;
-  }
+  crossing = found ? crossing : other;
   return found || foundOther;
 }
 

@@ -13,9 +13,6 @@ RTG_FN real3 DiscReach(const Glyph glyph, const real3 u, const real3 v)
 RTG_FN bool ToBoxFrame(const GlyphRay ray, const Glyph glyph, const real3 halfSize, RTG_OUT(LocalRay) unit)
 {
   bool near = ToLocal(ray, glyph, real3(real(0.0)), halfSize, unit);
-  if (near)
-  {
-    unit = Divide(unit, halfSize);
-  }
+  unit = near ? Divide(unit, halfSize) : unit;
   return near;
 }

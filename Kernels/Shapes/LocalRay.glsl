@@ -112,11 +112,7 @@ RTG_FN real3 Rotate(const real3 u, const real w, const real3 a)
 
 RTG_FN real3 RotateToWorld(const Glyph glyph, const real3 a)
 {
-  if (!glyph.rotated)
-  {
-    return a;
-  }
-  return Rotate(real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
+  return glyph.rotated ? Rotate(real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a) : a;
 }
 
 // The unit glyph's axes in the world, with these lengths.
@@ -143,11 +139,7 @@ RTG_FN real3 BoxReach(const Glyph glyph, const real3 halfSize)
 
 RTG_FN real3 RotateToLocal(const Glyph glyph, const real3 a)
 {
-  if (!glyph.rotated)
-  {
-    return a;
-  }
-  return Rotate(-real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
+  return glyph.rotated ? Rotate(-real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a) : a;
 }
 
 // True only if the line passes the ball around center + middle: most candidates of a ray end here, in

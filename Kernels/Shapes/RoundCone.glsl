@@ -30,16 +30,11 @@ struct RoundConeForm
 
 RTG_FN RoundConeForm MakeRoundCone(const DoubleWord halfLength, const DoubleWord first, const DoubleWord last)
 {
-  RoundConeForm form;
-  form.halfLength = halfLength;
-  form.first = first;
-  form.last = last;
   DoubleWord fall = Subtract(first, last);
   DoubleWord run = Multiply(halfLength, real(2.0));
-  form.ball = !IsLess(fall.hi < real(0.0) ? Minus(fall) : fall, run);
-  form.sine = Word(real(0.0));
-  form.cosine = Word(real(1.0));
-  if (!form.ball && fall.hi != real(0.0))
+  bool ball = !IsLess(fall.hi < real(0.0) ? Minus(fall) : fall, run);
+  RoundConeForm form = RoundConeForm(halfLength, first, last, Word(real(0.0)), Word(real(1.0)), ball);
+  if (!ball && fall.hi != real(0.0))
   {
     form.sine = Divide(fall, run);
     form.cosine = SquareRoot(Multiply(Add(form.sine, real(1.0)), Minus(Add(form.sine, real(-1.0)))));
@@ -353,14 +348,9 @@ RTG_FN int EstimateRoundCone(
     real sign = i == 0 ? real(1.0) : real(-1.0);
     // The middle of the ball that touches the cone there.
     real middle = (start - (b + sign * root) / a * d.x - first * sine) / squaredCosine;
-    if (!(a > real(0.0)) && !(sign * rate > real(0.0)))
-    {
-      middle = sign * d.x > real(0.0) ? real(0.0) : along;
-    }
-    if (ball)
-    {
-      middle = first < last ? along : real(0.0);
-    }
+    bool parallel = !(a > real(0.0)) && !(sign * rate > real(0.0));
+    middle = parallel ? (sign * d.x > real(0.0) ? real(0.0) : along) : middle;
+    middle = ball ? (first < last ? along : real(0.0)) : middle;
     middle = middle > real(0.0) ? min(middle, along) : real(0.0);
     real ballRadius = first - middle * sine;
     real3 m = p - real3(middle - halfLength, real(0.0), real(0.0));

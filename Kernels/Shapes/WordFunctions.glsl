@@ -75,9 +75,7 @@ RTG_FN DoubleWord Exp2(const DoubleWord y)
   DoubleWord eighth = EighthPower(int(j) + 4);
   DoubleWord power = AddSloppy(eighth, Multiply(eighth, minusOne));
   real scale = ldexp(real(1.0), int(k));
-  power.hi = scale * power.hi;
-  power.lo = scale * power.lo;
-  return power;
+  return DoubleWord(scale * power.hi, scale * power.lo);
 }
 
 // log2 of x >= 0; RTG_LOG_ZERO for x <= 1e-36.
@@ -95,13 +93,5 @@ RTG_FN DoubleWord Log2(const DoubleWord x)
 // x^e for x >= 0, e > 0.
 RTG_FN DoubleWord Power(const DoubleWord x, const real e)
 {
-  if (e == real(1.0))
-  {
-    return x;
-  }
-  if (e == real(2.0))
-  {
-    return Multiply(x, x);
-  }
-  return Exp2(Multiply(Log2(x), e));
+  return e == real(1.0) ? x : e == real(2.0) ? Multiply(x, x) : Exp2(Multiply(Log2(x), e));
 }
