@@ -65,21 +65,13 @@ struct Pixel
   float depth;       // view depth of the center's sample, or else of the nearest
   float opaqueDepth; // of the nearest opaque surface, in an image of translucent ones
   float behind;      // window depth of the ground, which rays do not hit
-  uint record;       // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
+  uint record;       // its glyph set's, when a sample of this dispatch identified it; else `nothing`
   uint glyph;
 };
 
 Pixel BeginPixel(const uvec2 position)
 {
-  Pixel pixel;
-  pixel.color = Word3(vec3(0.0));
-  pixel.opacity = Word(0.0);
-  pixel.missing = 0.0;
-  pixel.centerHit = false;
-  pixel.depth = pixel.opaqueDepth = 1e38;
-  pixel.behind = 1.0;
-  pixel.record = 0xffffffffu;
-  pixel.glyph = 0xffffffffu;
+  Pixel pixel = Pixel(Word3(vec3(0.0)), Word(0.0), 0.0, false, 1e38, 1e38, 1.0, nothing, nothing);
   if (frame.firstSample > 0u)
   {
     // Compilers may load it where there is one pixel only.
@@ -170,27 +162,18 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     shown = OverShadow(shown, pixel.missing / samples, linear);
   }
-  float windowDepth = shown.a > 0.0 ? pixel.behind : 1.0;
-  uint setId = 0xffffffffu;
-  if (pixel.depth < 1e38)
-  {
-    windowDepth = WindowDepth(pixel.depth);
-  }
+  float windowDepth = pixel.depth < 1e38 ? WindowDepth(pixel.depth) : shown.a > 0.0 ? pixel.behind : 1.0;
   if (pixel.opaqueDepth < 1e38)
   {
     // A little nearer: depth buffers round to 24 bits.
     windowDepth = min(windowDepth, WindowDepth(pixel.opaqueDepth) - 2.4e-7);
   }
-  if (pixel.record != 0xffffffffu)
-  {
-    setId = SetRecord(pixel.record).setId;
-  }
   frame.color.at[at] = packUnorm4x8(shown);
   frame.depth.at[at] = windowDepth;
   // Earlier samples may have written already what is there.
-  if (frame.firstSample == 0u || pixel.record != 0xffffffffu)
+  if (frame.firstSample == 0u || pixel.record != nothing)
   {
-    frame.setIds.at[at] = setId;
+    frame.setIds.at[at] = pixel.record != nothing ? SetRecord(pixel.record).setId : nothing;
     frame.glyphIds.at[at] = pixel.glyph;
   }
 }

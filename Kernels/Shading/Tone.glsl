@@ -39,14 +39,7 @@ RTG_FN vec3 Neutral(vec3 light)
 RTG_FN vec3 ToneMap(vec3 mean, bool linear, float exposureFactor, uint toneMapping)
 {
   vec3 light = (linear ? mean : DisplayToLinear(mean)) * exposureFactor;
-  if (toneMapping == 1u)
-  {
-    light = Filmic(light);
-  }
-  else if (toneMapping == 2u)
-  {
-    light = Neutral(light);
-  }
+  light = toneMapping == 1u ? Filmic(light) : toneMapping == 2u ? Neutral(light) : light;
   return LinearToDisplay(clamp(light, vec3(0.0f), vec3(1.0f)));
 }
 
