@@ -117,12 +117,7 @@ RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const Crossing
     : crossing.face == RTG_HEAD_BALL                       ? real3(HeadOfArrow(glyph).ball.hi - p.x, p.y, p.z)
     : crossing.face == RTG_HEAD_CONE && radius > real(0.0) ? real3(HeadOfArrow(glyph).slope.hi * radius, p.y, p.z)
                                                            : flat_;
-  if (!glyph.fixedHeads)
-  {
-    real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
-    normal = normal * (real3(smallest) / glyph.size);
-  }
-  return normalize(RotateToWorld(glyph, normal));
+  return normalize(RotateToWorld(glyph, glyph.fixedHeads ? normal : OverSize(glyph, normal)));
 }
 
 RTG_INTERSECT_BY_SPANS(Arrow, Arrow)

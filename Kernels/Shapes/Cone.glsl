@@ -33,9 +33,8 @@ RTG_FN real3 ConeNormal(const Glyph glyph, const LocalRay local, const Crossing 
     // Gradient of y^2 + z^2 - radius^2, with radius = sqrt(y^2 + z^2) on the side.
     real3 p = PointAt(local, crossing.s);
     real radius = sqrt(p.y * p.y + p.z * p.z);
-    real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
     // At the apex there is none.
-    normal = radius > real(0.0) ? real3(real(0.5) * radius, p.y, p.z) * (real3(smallest) / glyph.size) : normal;
+    normal = radius > real(0.0) ? OverSize(glyph, real3(real(0.5) * radius, p.y, p.z)) : normal;
   }
   return normalize(RotateToWorld(glyph, normal));
 }

@@ -18,21 +18,6 @@
 #define RTG_PIECES 64
 #define RTG_TINY (RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF)
 
-RTG_FN real SumOf(const real3 v)
-{
-  return v.x + v.y + v.z;
-}
-
-RTG_FN real LeastOf(const real3 v)
-{
-  return min(v.x, min(v.y, v.z));
-}
-
-RTG_FN real MostOf(const real3 v)
-{
-  return max(v.x, max(v.y, v.z));
-}
-
 // A ray and the part of it in the box [-1, 1]^3 that is the glyph's: `unit` starts next to the center, the largest
 // component of its direction is one to two, its parameter times `scale` is that of `ray`.
 struct Chord
@@ -192,8 +177,7 @@ RTG_FN real3 SurfaceNormal(const Glyph glyph, const real3 p, const real3 gradien
     g = real3(real(0.0), real(0.0), real(1.0));
   }
   real3 outward = real3(p.x < real(0.0) ? -g.x : g.x, p.y < real(0.0) ? -g.y : g.y, p.z < real(0.0) ? -g.z : g.z);
-  real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
-  return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+  return normalize(RotateToWorld(glyph, OverSize(glyph, outward)));
 }
 
 RTG_FN GlyphHit HitAt(const SurfaceCrossing crossing, const GlyphRay ray, const Glyph glyph, const bool wantsNormal)

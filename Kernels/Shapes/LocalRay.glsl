@@ -1,5 +1,20 @@
 // A ray and a glyph, and the transform from the world to the glyph's own frame without loss.
 
+RTG_FN real SumOf(const real3 v)
+{
+  return v.x + v.y + v.z;
+}
+
+RTG_FN real LeastOf(const real3 v)
+{
+  return min(v.x, min(v.y, v.z));
+}
+
+RTG_FN real MostOf(const real3 v)
+{
+  return max(v.x, max(v.y, v.z));
+}
+
 // The exact origin is origin + originLow, |originLow| <= ulp(origin) / 2; likewise centers.
 struct GlyphRay
 {
@@ -113,6 +128,12 @@ RTG_FN real3 Rotate(const real3 u, const real w, const real3 a)
 RTG_FN real3 RotateToWorld(const Glyph glyph, const real3 a)
 {
   return glyph.rotated ? Rotate(real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a) : a;
+}
+
+// A gradient in the frame where the sizes are 1 as one in the glyph's frame, times the smallest size against overflow.
+RTG_FN real3 OverSize(const Glyph glyph, const real3 gradient)
+{
+  return gradient * (real3(LeastOf(glyph.size)) / glyph.size);
 }
 
 // The unit glyph's axes in the world, with these lengths.

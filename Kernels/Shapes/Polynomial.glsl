@@ -477,8 +477,7 @@ RTG_FN real3 PolynomialNormal(const Glyph glyph, const DoubleWord3 at, const rea
 {
   FormPoint point = FormAt(glyph, at, true);
   real3 outward = Subtract(Divide(at, Word3(point.distance)), Multiply(point.gradient, real3(sign))).hi;
-  real smallest = LeastOf(glyph.size);
-  return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+  return normalize(RotateToWorld(glyph, OverSize(glyph, outward)));
 }
 
 RTG_FN GlyphHit IntersectPolynomial(

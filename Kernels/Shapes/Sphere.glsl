@@ -104,10 +104,7 @@ RTG_FN real3 SphereNormal(const Glyph glyph, const LocalRay local, const Crossin
   {
     return normalize(PointAt(local, crossing.s));
   }
-  real3 p = OnUnitSphere(Advance(local, crossing.s.hi));
-  // The gradient of x^2/a^2 + y^2/b^2 + z^2/c^2, scaled by the smallest half-length against overflow.
-  real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
-  return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
+  return normalize(RotateToWorld(glyph, OverSize(glyph, OnUnitSphere(Advance(local, crossing.s.hi)))));
 }
 
 RTG_INTERSECT_BY_SPANS(Sphere, Sphere)
