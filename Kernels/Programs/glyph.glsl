@@ -77,15 +77,15 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph, const float tMin,
   const float tMax, out float low, out float high)
 {
+  low = tMin;
+  high = tMax;
   if (IsLeftOut(set, number, glyph))
   {
-    low = tMin;
-    high = tMax;
     return RTG_MISSED;
   }
   if (Has(set.variants, MESH_TREE))
   {
-    return EstimateMesh(set, ray, glyph, tMin, tMax, low, high);
+    return MissesMesh(set, ray, glyph) ? RTG_MISSED : RTG_UNKNOWN;
   }
   int verdict = EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
   // A glyph that takes its cut along may be cut off where it would be met, and a piece of a line closed where it would

@@ -158,15 +158,12 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
   return found;
 }
 
-// Proves only that the ray misses the ball round the mesh.
-int EstimateMesh(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
-  out float low, out float high)
+// Whether the ray certainly misses the ball round the mesh.
+bool MissesMesh(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph)
 {
-  low = tMin;
-  high = tMax;
   vec3 middle = RotateToWorld(glyph, glyph.size * set.meshMiddle);
   float radius = set.meshRadius * LargestOf(glyph.size) + 1e-6 * (abs(middle.x) + abs(middle.y) + abs(middle.z));
-  return MissesBall(ray, glyph, middle, radius) ? RTG_MISSED : RTG_UNKNOWN;
+  return MissesBall(ray, glyph, middle, radius);
 }
 
 // A triangle where a ray meets it.
