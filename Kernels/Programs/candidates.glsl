@@ -36,6 +36,21 @@ GlyphCrossing LayerAt(const uint at)
     uintBitsToFloat(layerTime[at]), vec3(0.0));
 }
 
+void SetLayer(const uint at, const GlyphCrossing crossing, const float transmittance)
+{
+  layerTime[at] = floatBitsToUint(crossing.t);
+  layerGlyph[at] = crossing.glyph;
+  layerTransmittance[at] = transmittance;
+  if (!alone)
+  {
+    layerRecord[at] = crossing.record;
+  }
+  if (gathersTriangles)
+  {
+    layerTriangle[at] = crossing.triangle;
+  }
+}
+
 // Whether the layer at that place comes after a crossing.
 bool IsBehind(const uint at, const GlyphCrossing crossing)
 {
@@ -74,32 +89,9 @@ void AddLayer(const GlyphCrossing added, const float error, const float transmit
   uint at = min(layerCount, layerLimit - 1u);
   for (; at > 0u && IsBehind(at - 1u, added); --at)
   {
-    layerTime[at] = layerTime[at - 1u];
-    layerGlyph[at] = layerGlyph[at - 1u];
-    if (CountsLight())
-    {
-      layerTransmittance[at] = layerTransmittance[at - 1u];
-    }
-    if (!alone)
-    {
-      layerRecord[at] = layerRecord[at - 1u];
-    }
-    if (gathersTriangles)
-    {
-      layerTriangle[at] = layerTriangle[at - 1u];
-    }
+    SetLayer(at, LayerAt(at - 1u), layerTransmittance[at - 1u]);
   }
-  layerTime[at] = floatBitsToUint(added.t);
-  layerGlyph[at] = added.glyph;
-  layerTransmittance[at] = transmittance;
-  if (!alone)
-  {
-    layerRecord[at] = added.record;
-  }
-  if (gathersTriangles)
-  {
-    layerTriangle[at] = added.triangle;
-  }
+  SetLayer(at, added, transmittance);
   layerCount = min(layerCount + 1u, layerLimit);
   float light = 1.0;
   for (uint i = 0u; CountsLight() && i < layerCount; ++i)
