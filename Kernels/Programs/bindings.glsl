@@ -115,11 +115,9 @@ float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
 vec4 TableColor(const UintArray table, const uint first, const uint size, const float value)
 {
   uint entries = size - 2u;
-  uint entry = min(uint(clamp(value, 0.0, 1.0) * float(entries)), entries - 1u);
-  if (value < LEAST_NUMBER)
-  {
-    entry = value < LEAST_VALUE ? size - 1u : entries;
-  }
+  uint entry = value < LEAST_VALUE ? size - 1u
+    : value < LEAST_NUMBER         ? entries
+                                   : min(uint(clamp(value, 0.0, 1.0) * float(entries)), entries - 1u);
   return unpackUnorm4x8(table.at[first + entry]);
 }
 

@@ -87,11 +87,9 @@ bool Survives(const SampleNumber number, const uint bounce, const Surface surfac
     float survival = strongest * max(max(albedo.x, albedo.y), max(albedo.z, leastSurvival));
     if (survival < 1.0)
     {
-      vec3 guess = vec3(0.0);
-      if (Guessing())
-      {
-        guess = throughput * frame.environment * albedo * (1.0 - guessedOcclusion) / (1.0 - guessedOcclusion * albedo);
-      }
+      vec3 guess = Guessing()
+        ? throughput * frame.environment * albedo * (1.0 - guessedOcclusion) / (1.0 - guessedOcclusion * albedo)
+        : vec3(0.0);
       radiance += guess;
       survives = SamplePair(number, PairOf(bounce, pairLight)).y < survival;
       if (survives)
@@ -149,11 +147,7 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
     LightRecord light = frame.lights.at[min(uint(pick * float(frame.lightCount)), frame.lightCount - 1u)];
     Incidence incidence = ArriveAt(light, origin.hi);
     float distance;
-    vec2 place = vec2(0.0);
-    if (incidence.spread > 0.0)
-    {
-      place = SamplePair(number, PairOf(bounce, pairToLight));
-    }
+    vec2 place = incidence.spread > 0.0 ? SamplePair(number, PairOf(bounce, pairToLight)) : vec2(0.0);
     vec3 toLight = SampleLight(light, incidence, place, distance);
     vec3 to = vec3(dot(toLight, x), dot(toLight, y), dot(toLight, normal));
     if (incidence.attenuation > 0.0 && to.z > 0.0)
@@ -251,14 +245,8 @@ void main()
       bool free = hit.t < 0.0;
       radiance += free ? arrived : vec3(0.0);
       missing += free ? vec3(0.0) : arrived;
-      if (asksLights)
-      {
-        fromLights = NoLight();
-      }
-      else
-      {
-        fromEnvironment = NoLight();
-      }
+      fromLights.radiance = asksLights ? vec3(0.0) : fromLights.radiance;
+      fromEnvironment.radiance = asksLights ? fromEnvironment.radiance : vec3(0.0);
       continue;
     }
     bool onward = hit.t >= 0.0;

@@ -30,10 +30,8 @@ vec3 SampleEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
 {
   uint count = frame.environmentCellColumns * frame.environmentCellRows;
   uint cell = min(uint(pick.x * float(count)), count - 1u);
-  if (pick.y >= uintBitsToFloat(frame.environmentCells.at[3u * cell]))
-  {
-    cell = frame.environmentCells.at[3u * cell + 1u];
-  }
+  bool aliased = pick.y >= uintBitsToFloat(frame.environmentCells.at[3u * cell]);
+  cell = aliased ? frame.environmentCells.at[3u * cell + 1u] : cell;
   float density = uintBitsToFloat(frame.environmentCells.at[3u * cell + 2u]);
   uvec2 first =
     uvec2(cell % frame.environmentCellColumns, cell / frame.environmentCellColumns) * frame.environmentCellSide;
