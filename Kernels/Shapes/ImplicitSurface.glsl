@@ -172,10 +172,7 @@ RTG_FN real3 SurfaceNormal(const Glyph glyph, const real3 p, const real3 gradien
 {
   real3 g = gradient / max(gradient.x, max(gradient.y, max(gradient.z, real(RTG_TINY))));
   // On the axis of a thorn nothing points anywhere but along it.
-  if (!(g.x + g.y + g.z > real(0.0)))
-  {
-    g = real3(real(0.0), real(0.0), real(1.0));
-  }
+  g = SumOf(g) > real(0.0) ? g : real3(real(0.0), real(0.0), real(1.0));
   real3 outward = real3(p.x < real(0.0) ? -g.x : g.x, p.y < real(0.0) ? -g.y : g.y, p.z < real(0.0) ? -g.z : g.z);
   return normalize(RotateToWorld(glyph, OverSize(glyph, outward)));
 }

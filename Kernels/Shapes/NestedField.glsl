@@ -353,10 +353,7 @@ RTG_FN DoubleWord LogProfile(const DoubleWord logZ, const real exponent, RTG_OUT
 {
   DoubleWord power = Exp2(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
   DoubleWord rest = Add(Minus(power), real(1.0));
-  if (!(rest.hi > real(RTG_NESTED_END)))
-  {
-    rest = Word(real(RTG_NESTED_END));
-  }
+  rest = rest.hi > real(RTG_NESTED_END) ? rest : Word(real(RTG_NESTED_END));
   fall = Divide(power, rest);
   return Multiply(Log2(rest), real(0.5) * exponent);
 }
@@ -418,11 +415,8 @@ RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
     weights.z *= field.twoProfiles ? real(1.0) : exp2(clamp(-field.q * norm.hi, real(-60.0), real(60.0)));
   }
 
-  point.value = Multiply(norm, real(RTG_LN2));
-  if (max(falls.x, falls.y) * real(RTG_NESTED_END) > real(0.5))
-  {
-    point.value = Word(real(100.0));
-  }
+  bool beyondEnd = max(falls.x, falls.y) * real(RTG_NESTED_END) > real(0.5);
+  point.value = beyondEnd ? Word(real(100.0)) : Multiply(norm, real(RTG_LN2));
   point.slope = slope.hi;
   point.gradient = weights / max(abs(at.origin.hi), real3(real(RTG_TINY)));
   point.taylor = TaylorErrorOf(field, point.gradient, at.origin.hi, at.direction.hi, falls);

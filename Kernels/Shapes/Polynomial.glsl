@@ -224,11 +224,7 @@ RTG_FN bool NextCrossing(
       }
       else if (verdict == RTG_HALVE)
       {
-        real2 whole = search.step;
-        if (last)
-        {
-          whole = ComplexProduct(n, real2(search.a.n.x, -search.a.n.y));
-        }
+        real2 whole = last ? ComplexProduct(n, real2(search.a.n.x, -search.a.n.y)) : search.step;
         real cosine = sqrt(real(0.5) + real(0.5) * whole.x);
         search.step = real2(cosine, real(0.5) * whole.y / cosine);
         search.width = real(0.5) * width;

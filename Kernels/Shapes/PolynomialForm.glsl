@@ -148,10 +148,7 @@ RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact
   int u = w == 2 ? 0 : w + 1;
   int v = w == 0 ? 2 : w - 1;
   DoubleWord largest = WordOf(p, w);
-  if (!(abs(largest.hi) > real(1e-30)))
-  {
-    largest = Word(real(1e-30));
-  }
+  largest = abs(largest.hi) > real(1e-30) ? largest : Word(real(1e-30));
   DoubleWord x = Divide(WordOf(p, u), largest);
   DoubleWord y = Divide(WordOf(p, v), largest);
   DoubleWord sum = Word(real(0.0));

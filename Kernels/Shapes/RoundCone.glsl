@@ -278,12 +278,11 @@ EstimateInner(const Glyph glyph, const real3 p, const real sine, const real cosi
   if (glyph.before.w > real(0.0))
   {
     bool side = beforeLast > tolerance;
-    inBefore = EstimateInNextPiece(p, real3(-halfLength, real(0.0), real(0.0)), first, glyph.before, side,
-      side ? -afterFirst : real(0.0), cosine, error, extent);
-    if (!(afterFirst > tolerance))
-    {
-      inBefore = afterFirst < -tolerance ? RTG_INSIDE : RTG_UNKNOWN;
-    }
+    real3 joint = real3(-halfLength, real(0.0), real(0.0));
+    inBefore = afterFirst < -tolerance ? RTG_INSIDE
+      : !(afterFirst > tolerance)      ? RTG_UNKNOWN
+                                       : EstimateInNextPiece(p, joint, first, glyph.before, side,
+                                           side ? -afterFirst : real(0.0), cosine, error, extent);
   }
   if (glyph.after.w > real(0.0))
   {
@@ -391,15 +390,8 @@ RTG_FN int EstimateRoundCone(
       }
       else
       {
-        if (outside && isInner == RTG_INSIDE)
-        {
-          verdict = RTG_MISSED;
-        }
-        if (outside && !hasDisc)
-        {
-          low = max(low, inner);
-        }
-        if (outer < tMin)
+        low = outside && !hasDisc ? max(low, inner) : low;
+        if ((outside && isInner == RTG_INSIDE) || outer < tMin)
         {
           verdict = RTG_MISSED;
         }

@@ -47,11 +47,8 @@ RTG_FN void ParabolaAxis(const real a, const real d, const real e, const real sl
 {
   bool tame = e == real(2.0) || e >= real(3.0);
   radius = tame || d == real(0.0) ? real(RTG_NEVER) : real(0.5) * a / abs(d);
-  third = abs((e - real(1.0)) * (e - real(2.0)) * slope * rate * rate);
-  if (e >= real(3.0) && a < real(0.1))
-  {
-    third = real(8.0) * abs(d * d * d);
-  }
+  third = e >= real(3.0) && a < real(0.1) ? real(8.0) * abs(d * d * d)
+                                          : abs((e - real(1.0)) * (e - real(2.0)) * slope * rate * rate);
 }
 
 RTG_FN void ProbeAxis(const real p, const real d, const real e, RTG_OUT(real) term, RTG_OUT(real) slope,
@@ -62,10 +59,7 @@ RTG_FN void ProbeAxis(const real p, const real d, const real e, RTG_OUT(real) te
   real rate = a > real(1e-30) ? d / p : real(0.0);
   slope = e * term * rate;
   ParabolaAxis(a, d, e, slope, rate, third, radius);
-  if (a == real(0.0) && e < real(1.0) && d != real(0.0))
-  {
-    slope = real(RTG_CUSP);
-  }
+  slope = a == real(0.0) && e < real(1.0) && d != real(0.0) ? real(RTG_CUSP) : slope;
 }
 
 RTG_FN SuperquadricProbe ProbeAt(const SuperquadricField field, const DoubleWord where, const int axis)
@@ -190,10 +184,7 @@ RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at, c
     x.hi = sign * x.hi;
     x.lo = sign * x.lo;
     d.hi = sign * d.hi;
-    if (axis != plane && x.hi < least && d.hi != real(0.0))
-    {
-      x = Word(least);
-    }
+    x = axis != plane && x.hi < least && d.hi != real(0.0) ? Word(least) : x;
     DoubleWord term = Power(x, e);
     term3.hi[axis] = term.hi;
     term3.lo[axis] = term.lo;

@@ -97,16 +97,11 @@ RTG_FN HeightSearch NextHeight(
   const HeightSearch search, const real rate, const real bend, const real enough, const real leastRate)
 {
   HeightSearch next = search;
-  if (rate < real(0.0))
-  {
-    next.low = search.at;
-    next.lowIsEnd = false;
-  }
-  else
-  {
-    next.high = search.at;
-    next.highIsEnd = false;
-  }
+  bool below = rate < real(0.0);
+  next.low = below ? search.at : search.low;
+  next.high = below ? search.high : search.at;
+  next.lowIsEnd = search.lowIsEnd && !below;
+  next.highIsEnd = search.highIsEnd && below;
   real middle = real(0.5) * (next.low + next.high);
   // Newton's method, or a bisection where that does not halve the rate.
   next.at = bend > real(0.0) ? search.at - rate / bend : middle;
@@ -231,14 +226,8 @@ RTG_FN bool IntersectSweep(const SweptRay swept, const real side, const real eno
       bool higher = (discriminant > real(0.0) ? fall : fall - real(2.0) * mixed * rise / a) > real(0.0);
       lowIsEnd = lowIsEnd && !higher;
       highIsEnd = highIsEnd && higher;
-      if (higher)
-      {
-        low = height;
-      }
-      else
-      {
-        high = height;
-      }
+      low = higher ? height : low;
+      high = higher ? high : height;
       toLow = Subtract(low, height);
       toHigh = Subtract(high, height);
 
