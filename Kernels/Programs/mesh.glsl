@@ -45,16 +45,7 @@ vec3 CornerAt(const GlyphSetRecord set, const uint corner, const float time)
   vec3 position = set.meshPositions.at[corner];
   if (Has(set.variants, MOVING_MESH))
   {
-    vec3 displacement = vec3(0.0);
-    if (Has(set.variants, MESH_ACCELERATIONS))
-    {
-      displacement = (0.5 * time) * set.meshAccelerations.at[InSet(set, MESH_ACCELERATIONS, corner)];
-    }
-    if (Has(set.variants, MESH_VELOCITIES))
-    {
-      displacement += set.meshVelocities.at[InSet(set, MESH_VELOCITIES, corner)];
-    }
-    position += time * displacement;
+    position += RTG_DISPLACEMENT(MESH_VELOCITIES, meshVelocities, MESH_ACCELERATIONS, meshAccelerations, corner);
   }
   return position;
 }

@@ -39,19 +39,16 @@ vec4 RotationBy(const vec3 rotation)
   return angle > 0.0 ? vec4(halfway * (sineCosine.x / angle), sineCosine.y) : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
-// How far a glyph has moved since time zero.
+// How far a glyph or a corner has moved since time zero, by these arrays of its set.
+#define RTG_DISPLACEMENT(VELOCITY, velocity, ACCELERATION, acceleration, index)                                        \
+  (((Has(set.variants, ACCELERATION) ? (0.5 * time) * set.acceleration.at[InSet(set, ACCELERATION, index)]             \
+                                     : vec3(0.0)) +                                                                    \
+     (Has(set.variants, VELOCITY) ? set.velocity.at[InSet(set, VELOCITY, index)] : vec3(0.0))) *                       \
+    time)
+
 vec3 Displacement(const GlyphSetRecord set, const uint primitive, const float time)
 {
-  vec3 meanVelocity = vec3(0.0);
-  if (Has(set.variants, ACCELERATIONS))
-  {
-    meanVelocity = (0.5 * time) * set.accelerations.at[InSet(set, ACCELERATIONS, primitive)];
-  }
-  if (Has(set.variants, VELOCITIES))
-  {
-    meanVelocity += set.velocities.at[InSet(set, VELOCITIES, primitive)];
-  }
-  return meanVelocity * time;
+  return RTG_DISPLACEMENT(VELOCITIES, velocities, ACCELERATIONS, accelerations, primitive);
 }
 
 // Its rotation since then: a unit quaternion.
