@@ -55,13 +55,11 @@ void SetLayer(const uint at, const GlyphCrossing crossing, const float transmitt
 bool IsBehind(const uint at, const GlyphCrossing crossing)
 {
   uint time = floatBitsToUint(crossing.t);
-  bool behind = layerTime[at] > time || (layerTime[at] == time && layerGlyph[at] > crossing.glyph);
-  if (rayQueries && !alone && layerTime[at] == time && layerGlyph[at] == crossing.glyph)
-  {
-    // The plugin's BVH yields one set after the other.
-    behind = layerRecord[at] > crossing.record;
-  }
-  return behind;
+  bool same = layerTime[at] == time && layerGlyph[at] == crossing.glyph;
+  // The plugin's BVH yields one set after the other.
+  return rayQueries && !alone && same
+    ? layerRecord[at] > crossing.record
+    : layerTime[at] > time || (layerTime[at] == time && layerGlyph[at] > crossing.glyph);
 }
 
 // Whether the layers have a crossing already: drivers may bring a candidate twice, and bring both triangles at an edge.
