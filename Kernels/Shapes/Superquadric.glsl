@@ -1,13 +1,9 @@
 // Superquadric |x/A|^r + |y/B|^s + |z/C|^t = 1, each axis with an exponent of its own, and its affine images.
 //
-// In the frame where the half-lengths are 1, f(s) = sum |o_i + s d_i|^e_i - 1 is to be zero. Along a ray a term with
-// e >= 1 is convex; one with e < 1 is concave on either side of its coordinate plane, where it has a cusp. So the
-// ray is cut at the planes of the axes with e < 1: at most four pieces, on each of which f = convex + concave. Where
-// f > 0,
-//   f(s) >= tangent of the convex terms at a (or at b) + chord of the concave terms =: a straight line through f(a) (or
-//   f(b)).
-// For -f the roles of convex and concave terms are exchanged. A crossing is the only one where f is monotone, or purely
-// convex or concave. The rest is ImplicitSearch.glsl's.
+// In the frame where the half-lengths are 1, f(s) = sum |o_i + s d_i|^e_i - 1 is to be zero: README.md, Superquadrics.
+// Along a ray a term with e >= 1 is convex; one with e < 1 is concave on either side of its coordinate plane, where it
+// has a cusp. Where f > 0, a straight line below it is the tangent of the convex terms at a (or at b) plus the chord of
+// the concave ones; for -f these exchange their roles.
 
 // The slope of a concave term at its cusp.
 #define RTG_CUSP 1.0e30
