@@ -29,21 +29,16 @@ struct Query
   bool any;  // any hit will do
 };
 
-// Where the ray enters the scene's bounds, or 0 when it starts inside them.
-float SceneEntry(const vec3 origin, const vec3 direction)
+// The ray from where it enters the scene's bounds, or from its origin when that lies inside them.
+SceneRay EnterScene(const DoubleWord3 origin, const vec3 direction)
 {
   vec3 inverse = 1.0 / direction;
-  vec3 t0 = (frame.sceneLower - origin) * inverse;
-  vec3 t1 = (frame.sceneUpper - origin) * inverse;
+  vec3 t0 = (frame.sceneLower - origin.hi) * inverse;
+  vec3 t1 = (frame.sceneUpper - origin.hi) * inverse;
   // An axis the ray runs along says nothing about where it enters; min and max drop its NaN or infinities.
   vec3 entry = vec3(direction.x != 0.0 ? min(t0.x, t1.x) : 0.0, direction.y != 0.0 ? min(t0.y, t1.y) : 0.0,
     direction.z != 0.0 ? min(t0.z, t1.z) : 0.0);
-  return max(max(entry.x, entry.y), max(entry.z, 0.0));
-}
-
-SceneRay EnterScene(const DoubleWord3 origin, const vec3 direction)
-{
-  float start = SceneEntry(origin.hi, direction);
+  float start = max(max(entry.x, entry.y), max(entry.z, 0.0));
   // One step back in case rounding put the entry beyond the bounds.
   start = max(start - 1e-5 * start, 0.0);
   return SceneRay(start > 0.0 ? Add(origin, TwoProduct(direction, vec3(start))) : origin, direction, start);
