@@ -152,12 +152,10 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
     vec3 to = vec3(dot(toLight, x), dot(toLight, y), dot(toLight, normal));
     if (incidence.attenuation > 0.0 && to.z > 0.0)
     {
-      direct.direction = toLight;
-      direct.distance = distance;
-      direct.seed = SeedOf(number, 2u * bounce + 1u);
       // vtkLight's colors are what a white surface facing the light shows, hence pi.
-      direct.radiance = EvaluateAt(onGround, surface, from, to, u) * light.color *
+      vec3 radiance = EvaluateAt(onGround, surface, from, to, u) * light.color *
         (scatterPi * incidence.attenuation * float(frame.lightCount));
+      direct = DirectLight(radiance, toLight, distance, SeedOf(number, 2u * bounce + 1u));
     }
   }
   return direct;
