@@ -70,16 +70,11 @@ RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
   Enclosure outer = GlyphEnclosure(shape, glyph);
   EnclosureRay local = outer.inWorld ? ToSphere(ray, glyph, outer.radius) : ToEnclosure(ray, glyph, outer);
   int verdict = Estimate(local, outer, tMin, tMax, low, high);
-  if (RTG_IS(shape, RTG_OWN_ESTIMATE) && verdict == RTG_UNKNOWN)
+  if ((RTG_IS(shape, RTG_OWN_ESTIMATE) || RTG_IS(shape, RTG_SWEPT)) && verdict == RTG_UNKNOWN)
   {
     real lower;
-    verdict = EstimateRoundCone(ray, glyph, tMin, tMax, lower, high);
-    low = verdict == RTG_HIT ? lower : max(low, lower);
-  }
-  if (RTG_IS(shape, RTG_SWEPT) && verdict == RTG_UNKNOWN)
-  {
-    real lower;
-    verdict = EstimateSweptEllipsoid(ray, glyph, tMin, tMax, lower, high);
+    verdict = RTG_IS(shape, RTG_SWEPT) ? EstimateSweptEllipsoid(ray, glyph, tMin, tMax, lower, high)
+                                       : EstimateRoundCone(ray, glyph, tMin, tMax, lower, high);
     low = verdict == RTG_HIT ? lower : max(low, lower);
   }
   return verdict;
