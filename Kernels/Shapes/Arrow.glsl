@@ -19,27 +19,6 @@ RTG_FN void ArrowBox(const Glyph glyph, const ArrowScale scale, RTG_OUT(real3) m
   halfSize = real3(halfLength, radius * worldSize.y, radius * worldSize.z);
 }
 
-// The ray in the arrow's unit frame, x turned round to count from the tip to the tail. False: it certainly
-// misses.
-RTG_FN bool ToArrowFrame(const GlyphRay ray, const Glyph glyph, const ArrowScale scale, RTG_OUT(LocalRay) unit)
-{
-  real3 middle, halfSize;
-  ArrowBox(glyph, scale, middle, halfSize);
-  LocalRay local;
-  bool near = ToLocal(ray, glyph, middle, halfSize, local);
-  unit = local;
-  if (!near)
-  {
-    return false;
-  }
-
-  DoubleWord3 fromTip = Add(local.origin, real3(-glyph.size.x, real(0.0), real(0.0)));
-  real3 turnedRound = real3(-scale.times, scale.times, scale.times);
-  unit = LocalRay(local.start, Divide(Multiply(fromTip, turnedRound), scale.over),
-    Divide(Multiply(local.direction, turnedRound), scale.over));
-  return true;
-}
-
 RTG_FN Span ShaftSpan(const LocalRay ray, const Glyph glyph, const ArrowScale scale)
 {
   Span height =
@@ -75,14 +54,21 @@ RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head
   return Hull(cone, Intersection(cap, BallSpan(ray, head.ball, head.ball, RTG_HEAD_BALL)));
 }
 
+// The ray in the arrow's unit frame, x turned round to count from the tip to the tail.
 RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   ArrowScale scale = ScaleOfArrow(glyph);
-  if (!ToArrowFrame(ray, glyph, scale, local))
+  real3 middle, halfSize;
+  ArrowBox(glyph, scale, middle, halfSize);
+  if (!ToLocal(ray, glyph, middle, halfSize, local))
   {
     return NoCrossing(local, crossing);
   }
+  DoubleWord3 fromTip = Add(local.origin, real3(-glyph.size.x, real(0.0), real(0.0)));
+  real3 turnedRound = real3(-scale.times, scale.times, scale.times);
+  local = LocalRay(local.start, Divide(Multiply(fromTip, turnedRound), scale.over),
+    Divide(Multiply(local.direction, turnedRound), scale.over));
   Span shaftPart = HasShaft(glyph, scale) ? ShaftSpan(local, glyph, scale) : EmptySpan();
   Span headPart = HasHead(glyph) ? HeadSpan(local, glyph, HeadOfArrow(glyph)) : EmptySpan();
 
