@@ -42,15 +42,6 @@ RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centerX, const DoubleW
   return span;
 }
 
-// The ray in the frame where the ellipsoid is the unit sphere, its origin moved once more: what is
-// nearest to the center in the world is far from it here when the sizes differ much.
-RTG_FN LocalRay ToUnitSphere(const LocalRay ray, const real3 halfSize)
-{
-  LocalRay unit = Divide(ray, halfSize);
-  real s = -dot(unit.origin.hi, unit.direction.hi) / dot(unit.direction.hi, unit.direction.hi);
-  return Advance(unit, s);
-}
-
 RTG_FN bool SphereCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
@@ -71,7 +62,11 @@ RTG_FN bool SphereCrossing(const GlyphRay ray, const Glyph glyph, const real tMi
     {
       return NoCrossing(local, crossing);
     }
-    local = ToUnitSphere(local, halfSize);
+    // The frame where the ellipsoid is the unit sphere; the origin is moved once more: what is nearest to the center in
+    // the world is far from it here when the sizes differ much.
+    local = Divide(local, halfSize);
+    real3 d = local.direction.hi;
+    local = Advance(local, -dot(local.origin.hi, d) / dot(d, d));
     span = CenteredSphereSpan(local.origin, local.direction.hi, Word(real(1.0)));
   }
   return FirstCrossing(local, span, tMin, tMax, crossing);
