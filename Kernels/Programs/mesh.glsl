@@ -4,16 +4,6 @@
 #include "tree.glsl"
 #include "triangle.glsl"
 
-// The glyph as if its center were the middle of its mesh, which the positions on the device are relative to.
-Glyph AboutMiddle(const Glyph ofMesh, const GlyphSetRecord set)
-{
-  Glyph glyph = ofMesh;
-  DoubleWord3 middle = TwoSum(glyph.center, RotateToWorld(glyph, glyph.size * set.meshMiddle));
-  glyph.center = middle.hi;
-  glyph.centerLow += middle.lo;
-  return glyph;
-}
-
 // The ray in the mesh's frame, from where it passes the middle; its parameter counts from the world ray's `start`.
 struct MeshRay
 {
@@ -24,7 +14,11 @@ struct MeshRay
 
 MeshRay ToMesh(const GlyphRay ray, const Glyph glyph, const GlyphSetRecord set)
 {
-  Glyph centered = AboutMiddle(glyph, set);
+  // The center is the middle of the mesh, which the positions on the device are relative to.
+  Glyph centered = glyph;
+  DoubleWord3 middle = TwoSum(glyph.center, RotateToWorld(glyph, glyph.size * set.meshMiddle));
+  centered.center = middle.hi;
+  centered.centerLow += middle.lo;
   LocalRay local = RotateToLocal(NearRay(ray, centered), centered);
   vec3 origin = local.origin.hi / glyph.size;
   vec3 direction = local.direction.hi / glyph.size;
