@@ -9,20 +9,16 @@ vec3 EnvironmentTexel(uvec2 at)
   return frame.environmentTexels.at[at.y * frame.environmentSize.x + at.x];
 }
 
-vec3 EnvironmentSeen(const vec3 direction)
+// Radiance of a scattered ray, times the environment's color and strength.
+vec3 ClampedEnvironment(const vec3 direction)
 {
   vec3 d = normalize(direction);
   vec3 front = cross(frame.environmentRight, frame.environmentUp);
   float longitude = atan(dot(d, front), dot(d, frame.environmentRight));
   float latitude = asin(clamp(dot(d, frame.environmentUp), -1.0, 1.0));
   vec2 at = vec2(longitude / (2.0 * environmentPi) + 0.5, latitude / environmentPi + 0.5);
-  return EnvironmentTexel(uvec2(clamp(at, 0.0, 1.0) * vec2(frame.environmentSize)));
-}
-
-// Radiance of a scattered ray, times the environment's color and strength.
-vec3 ClampedEnvironment(const vec3 direction)
-{
-  return frame.environment * min(EnvironmentSeen(direction), vec3(frame.environmentThreshold));
+  vec3 seen = EnvironmentTexel(uvec2(clamp(at, 0.0, 1.0) * vec2(frame.environmentSize)));
+  return frame.environment * min(seen, vec3(frame.environmentThreshold));
 }
 
 // A direction toward what exceeds the threshold, and that radiance over the density of the direction.
