@@ -2,7 +2,7 @@
 // that touches the tip.
 //
 //   shaft: radius Rs, from the tail to the head's base
-//   head:  base disc of radius R at distance H from the tip, sphere of radius a centerd at distance a
+//   head:  base disc of radius R at distance H from the tip, sphere of radius a centered at distance a
 //          from the tip, and the cone that touches both; so the tip lies at x = 1 for every a.
 //   a = rounding^2 R H / (R + sqrt(R^2 + H^2)). The fraction is the inradius of the sharp head's profile:
 //          the largest sphere that fits between the head's base and sides, hence always narrower than

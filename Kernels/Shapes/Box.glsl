@@ -1,4 +1,4 @@
-// Box of side 1, centerd.
+// Box of side 1, centered.
 
 RTG_FN bool BoxCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
   RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)

@@ -1,4 +1,4 @@
-// Cylinder along y, height 1, radius 0.5, centerd, with its caps.
+// Cylinder along y, height 1, radius 0.5, centered, with its caps.
 
 // Faces: 0 the side, 1 the cap at -y, 2 the cap at +y.
 RTG_FN bool CylinderCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
