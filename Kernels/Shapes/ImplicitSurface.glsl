@@ -66,11 +66,9 @@ RTG_FN real3 OffPlane(const int axis)
 // digit.
 RTG_FN LocalRay RayFrom(const LocalRay ray, const DoubleWord where, const int axis)
 {
-  LocalRay at = LocalRay(Add(ray.start, where), Add(ray.origin, Multiply(ray.direction, Word3(where))), ray.direction);
+  DoubleWord3 origin = Add(ray.origin, Multiply(ray.direction, Word3(where)));
   real3 keep = OffPlane(axis);
-  at.origin.hi = at.origin.hi * keep;
-  at.origin.lo = at.origin.lo * keep;
-  return at;
+  return LocalRay(Add(ray.start, where), DoubleWord3(origin.hi * keep, origin.lo * keep), ray.direction);
 }
 
 RTG_FN DoubleWord PassesAt(const DoubleWord o, const DoubleWord d, const bool counts)
