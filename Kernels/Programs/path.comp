@@ -339,8 +339,7 @@ void main()
     vec3 x, y;
     Tangents(normal, x, y);
     vec3 back = -normalize(direction);
-    vec3 from = vec3(dot(back, x), dot(back, y), max(dot(back, normal), 1e-4));
-    from = normalize(from);
+    vec3 from = normalize(vec3(dot(back, x), dot(back, y), max(dot(back, normal), 1e-4)));
     fromLights = FromLights(onGround, origin, surface, x, y, normal, from, u, number, bounce);
     fromLights.radiance *= throughput;
     fromEnvironment = FromEnvironment(onGround, surface, x, y, normal, from, u, number, bounce);
