@@ -57,7 +57,7 @@ void vtkRayTracedGlyphMapper::SetSettings(const rtglyphs::GlyphSettings& setting
     auto built = std::make_shared<rtg::TriangleMesh>();
     if (mesh)
     {
-      *built = rtglyphs::RayTracedTriangleBuilder::BuildInPlace(mesh).Mesh;
+      *built = rtglyphs::RayTracedTriangleBuilder::Build(mesh, {}, nullptr, /*smooth=*/true, nullptr).Mesh;
     }
     // A mesh that was made again and came out the same is the same.
     if (!triangles || !rtg::SameShape(*triangles, *built))

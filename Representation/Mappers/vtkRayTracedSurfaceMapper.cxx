@@ -28,8 +28,8 @@ std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* s
 void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
 {
   const rtglyphs::GlyphMotion motion(surface, this->Settings.Motion);
-  rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::BuildRelative(
-    surface, this->Hidden, actor->GetMatrix(), this->Settings.Smooth, motion);
+  rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::Build(
+    surface, this->Hidden, actor->GetMatrix(), this->Settings.Smooth, &motion);
   this->BuiltSettings = this->Settings;
   rtg::GlyphMotion shutter;
   motion.Finish(shutter);

@@ -109,18 +109,21 @@ void AddMotion(const rtglyphs::GlyphMotion& motion, const rtglyphs::GlyphPlaceme
     });
   motion.Finish(mesh.motion);
 }
+}
 
-rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons, const rtglyphs::RayTracedRanges& hidden,
-  const rtglyphs::GlyphPlacement& placement, bool smooth, bool relative, const rtglyphs::GlyphMotion* motion)
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedTriangleBuilder::Result rtglyphs::RayTracedTriangleBuilder::Build(vtkPolyData* polygons,
+  const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, bool smooth, const rtglyphs::GlyphMotion* motion)
 {
-  rtglyphs::RayTracedTriangleBuilder::Result result;
+  Result result;
   if (!polygons->GetPoints() || polygons->GetNumberOfPoints() == 0)
   {
     return result;
   }
+  const rtglyphs::GlyphPlacement placement(modelToWorld);
   rtg::TriangleMesh& mesh = result.Mesh;
   vtkDataArray* points = polygons->GetPoints()->GetData();
-  if (relative)
+  if (motion)
   {
     result.Origin = Middle(points, placement);
   }
@@ -142,18 +145,4 @@ rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons, const rt
     mesh.normals = Turn(normals, placement);
   }
   return result;
-}
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedTriangleBuilder::Result rtglyphs::RayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
-  const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, bool smooth, const rtglyphs::GlyphMotion& motion)
-{
-  return Build(polygons, hidden, rtglyphs::GlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::RayTracedTriangleBuilder::Result rtglyphs::RayTracedTriangleBuilder::BuildInPlace(vtkPolyData* polygons)
-{
-  return Build(polygons, {}, rtglyphs::GlyphPlacement(nullptr), /*smooth=*/true, /*relative=*/false, nullptr);
 }

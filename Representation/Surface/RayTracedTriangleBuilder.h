@@ -34,17 +34,12 @@ public:
   };
 
   /**
-   * In the world, relative to the middle of the data. Points that are `hidden` (RayTracedBlocks::GetHidden())
-   * are left out. `modelToWorld` may be null. Without `smooth`, normals are left out. The motion of the points becomes
-   * that of the positions.
+   * Points that are `hidden` (RayTracedBlocks::GetHidden()) are left out. `modelToWorld` may be null. Without `smooth`,
+   * normals are left out. The motion of the points becomes that of the positions, which are relative to the middle of
+   * the data; without it (null) they are relative to the origin.
    */
-  static Result BuildRelative(vtkPolyData* polygons, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld,
-    bool smooth, const GlyphMotion& motion);
-
-  /**
-   * In the polygons' own frame, relative to its origin.
-   */
-  static Result BuildInPlace(vtkPolyData* polygons);
+  static Result Build(vtkPolyData* polygons, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, bool smooth,
+    const GlyphMotion* motion);
 };
 
 } // namespace rtglyphs
