@@ -3,7 +3,6 @@
 #include "Finite.h"
 #include "GlyphPointGatherer.h"
 #include "GlyphSample.h"
-#include "RayTracedNumbers.h"
 #include "RayTracedRanks.h"
 #include "GlyphScaleGuess.h"
 #include "GlyphSource.h"
@@ -477,16 +476,6 @@ void rtglyphs::GlyphContent::SetMode(int mode)
 {
   this->Settings.Mask.On = mode > 0;
   this->Settings.Mask.Mode = std::max(mode - 1, 0);
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphContent::SetExponents(const std::array<double, 3>& exponents)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Settings.Exponents[i] =
-      rtglyphs::RayTracedNumbers::NumberOr(exponents[i], 0.0); // NaN makes no glyph, as zero does
-  }
 }
 
 //----------------------------------------------------------------------------

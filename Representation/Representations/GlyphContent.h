@@ -46,13 +46,10 @@ public:
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   ///@}
 
-  ///@{
   /**
-   * As the properties GlyphMode, of which 0 is none, and GlyphExponents have it.
+   * As the property GlyphMode has it, of which 0 is none.
    */
   void SetMode(int mode);
-  void SetExponents(const std::array<double, 3>& exponents);
-  ///@}
 
   void SetScaleFactorFromData(bool on);
 

@@ -40,7 +40,7 @@ struct RayTracedCommon
   bool HasData = false; // a process that only renders has none
   DataSummary::Values Summary = DataSummary::None();
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
-  int DirectionColoring = DirectionColors::NONE;
+  RayTracedEnum<DirectionColors::Kinds, DirectionColors::NONE, DirectionColors::SPHERE> DirectionColoring;
   vtkNew<vtkDirectionLegend> Key; // shows what the content does with DirectionColoring
 };
 

@@ -501,8 +501,8 @@ void vtkRayTracedRepresentation::SetDataSummary(const double numbers[11])
 void vtkRayTracedRepresentation::SetGlyphSizeRange(double least, double most)
 {
   rtglyphs::GlyphSizing& sizing = this->Glyphs.Settings.Sizing;
-  sizing.Least = std::max(rtglyphs::RayTracedNumbers::NumberOr(least, 0.0), 0.0);
-  sizing.Most = std::max(rtglyphs::RayTracedNumbers::NumberOr(most, 0.0), 0.0);
+  sizing.Least = std::max(OrZero(least), 0.0);
+  sizing.Most = std::max(OrZero(most), 0.0);
   if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
   {
     vtkErrorMacro("GlyphSizeRange is " << least << ", " << most

@@ -61,11 +61,7 @@ public:
   {
     this->Common.SelectionColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
-  void SetGlyphDirectionColoring(int kind)
-  {
-    this->Common.DirectionColoring =
-      std::clamp<int>(kind, rtglyphs::DirectionColors::NONE, rtglyphs::DirectionColors::SPHERE);
-  }
+  void SetGlyphDirectionColoring(int kind) { this->Common.DirectionColoring = kind; }
   void SetGlyphDirectionKey(int place) { this->Common.Key->SetPlace(place); }
   ///@}
 
@@ -93,10 +89,7 @@ public:
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.AngularVelocity, name); }
   void SetMotionBlurMask(const char* name) { this->Common.Time.Motion.Mask = OrEmpty(name); }
   void SetShutterTimeFromData(bool on) { this->Common.Time.SetShutterTimeFromData(on); }
-  void SetShutterTime(double time)
-  {
-    this->Common.Time.Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0);
-  }
+  void SetShutterTime(double time) { this->Common.Time.Motion.ShutterTime = OrZero(time); }
   void SetShutterOpening(int opening) { this->Common.Time.Motion.Opening = std::clamp(opening, 0, 2); }
   ///@}
 
@@ -154,10 +147,7 @@ public:
   void SetScaling(bool on) { this->Glyphs.Scaling = on; }
   void SetScaleArray(const char* name) { this->SetArray(this->Glyphs.Settings.ScaleArray, name); }
   void SetScaleMode(int mode) { this->Glyphs.ScaleMode = mode; }
-  void SetScaleFactor(double factor)
-  {
-    this->Glyphs.Settings.ScaleFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0);
-  }
+  void SetScaleFactor(double factor) { this->Glyphs.Settings.ScaleFactor = OrZero(factor); }
   void SetOrient(bool on) { this->Glyphs.Settings.Orient = on; }
   void SetOrientationArray(const char* name) { this->SetArray(this->Glyphs.Settings.OrientationArray, name); }
   void SetOrientationMode(int mode) { this->Glyphs.Settings.OrientationMode = mode; }
@@ -183,10 +173,7 @@ public:
    * defaults.
    */
   void SetGlyphLegend(int place) { this->Glyphs.GetLegend()->SetPlace(place); }
-  void SetGlyphLegendValue(double value)
-  {
-    this->Glyphs.GetLegend()->SetValue(rtglyphs::RayTracedNumbers::NumberOr(value, 0.0));
-  }
+  void SetGlyphLegendValue(double value) { this->Glyphs.GetLegend()->SetValue(OrZero(value)); }
   ///@}
 
   ///@{
@@ -196,10 +183,7 @@ public:
    * the scale array unless it is positive.
    */
   void SetArrowHeads(int heads) { this->Glyphs.FixedHeads = heads == 0; }
-  void SetArrowReferenceMagnitude(double magnitude)
-  {
-    this->Glyphs.Settings.ArrowReference = rtglyphs::RayTracedNumbers::NumberOr(magnitude, 0.0);
-  }
+  void SetArrowReferenceMagnitude(double magnitude) { this->Glyphs.Settings.ArrowReference = OrZero(magnitude); }
   ///@}
 
   ///@{
@@ -207,7 +191,11 @@ public:
    * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, and an array that overrides them, default none. See
    * GlyphInstanceBuilder.
    */
-  void SetGlyphExponents(double r, double s, double t) { this->Glyphs.SetExponents({ r, s, t }); }
+  void SetGlyphExponents(double r, double s, double t)
+  {
+    const double exponents[] = { OrZero(r), OrZero(s), OrZero(t) }; // zero makes no glyph
+    std::copy_n(exponents, 3, this->Glyphs.Settings.Exponents);
+  }
   void SetGlyphExponentArray(const char* name) { this->SetArray(this->Glyphs.Settings.ExponentArray, name); }
   ///@}
 
@@ -229,10 +217,7 @@ public:
    * the table that numbers of tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Settings.Tensors.Array, name); }
-  void SetGlyphTensorLayout(int layout)
-  {
-    this->Glyphs.Settings.Tensors.Layout = static_cast<rtglyphs::GlyphTensors::TensorLayouts>(layout);
-  }
+  void SetGlyphTensorLayout(int layout) { this->Glyphs.Settings.Tensors.Layout = layout; }
   void SetGlyphConfidence(double share) { this->Glyphs.Settings.Tensors.Confidence = share; }
   void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Settings.Tensors.Sharpness = sharpness; }
   void SetGlyphTensorColoring(int coloring) { this->Glyphs.Settings.Tensors.Coloring = coloring; }
@@ -244,10 +229,7 @@ public:
    * The coefficients of spherical harmonics, and their basis (rtg::HarmonicsBasis, default 0, MRtrix3's).
    */
   void SetGlyphHarmonicsArray(const char* name) { this->SetArray(this->Glyphs.HarmonicsArray, name); }
-  void SetGlyphHarmonicsBasis(int basis)
-  {
-    this->Glyphs.Settings.Forms.Basis = static_cast<rtg::HarmonicsBasis>(basis);
-  }
+  void SetGlyphHarmonicsBasis(int basis) { this->Glyphs.Settings.Forms.Basis = basis; }
   ///@}
 
   /**
@@ -268,17 +250,14 @@ public:
   /**
    * How much of their opacity trails lose to their last step, in [0, 1]. Default is 0.
    */
-  void SetTrailFading(double fading)
-  {
-    this->Glyphs.TrailFading = std::clamp(rtglyphs::RayTracedNumbers::NumberOr(fading, 0.0), 0.0, 1.0);
-  }
+  void SetTrailFading(double fading) { this->Glyphs.TrailFading = std::clamp(OrZero(fading), 0.0, 1.0); }
 
   ///@{
   /**
    * Tubes: radius in world units, times the values of an array of points or cells ("None" or empty: none), default is
    * 1, None; lines end in half balls (0, default) or discs (1).
    */
-  void SetTubeRadius(double radius) { this->Tubes.Radius = rtglyphs::RayTracedNumbers::NumberOr(radius, 0.0); }
+  void SetTubeRadius(double radius) { this->Tubes.Radius = OrZero(radius); }
   void SetTubeRadiusArray(const char* name) { this->Tubes.RadiusArray = OrEmpty(name); }
   void SetTubeEnds(int ends) { this->Tubes.FlatEnds = ends == 1; }
   ///@}
@@ -314,6 +293,8 @@ protected:
 private:
   /// Strings of the server manager may be null, which means no array.
   static std::string OrEmpty(const char* name) { return name ? name : ""; }
+  /// Numbers may be NaN, which counts as 0.
+  static double OrZero(double number) { return rtglyphs::RayTracedNumbers::NumberOr(number, 0.0); }
 
   // Properties
   void SetArray(std::string& held, const char* name);
