@@ -28,6 +28,8 @@ public:
   {
     bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
     rtglyphs::GlyphMotion::Settings Motion;
+
+    bool operator==(const SurfaceSettings&) const = default;
   };
   void SetSettings(const SurfaceSettings& settings) { this->Settings = settings; }
 
@@ -40,11 +42,7 @@ protected:
   vtkRayTracedSurfaceMapper() = default;
   ~vtkRayTracedSurfaceMapper() override = default;
 
-  bool HaveSettingsChanged() const override
-  {
-    return this->Settings.Smooth != this->BuiltSettings.Smooth ||
-      !(this->Settings.Motion.Effective() == this->BuiltSettings.Motion.Effective());
-  }
+  bool HaveSettingsChanged() const override { return !(this->Settings == this->BuiltSettings); }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
   void BuildColors(vtkPolyData* surface) override;

@@ -36,7 +36,7 @@ protected:
   vtkRayTracedTubeMapper() = default;
   ~vtkRayTracedTubeMapper() override = default;
 
-  bool HaveSettingsChanged() const override { return !(this->Settings.Effective() == this->BuiltSettings.Effective()); }
+  bool HaveSettingsChanged() const override { return !(this->Settings == this->BuiltSettings); }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
   void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
   void BuildColors(vtkPolyData* lines) override;

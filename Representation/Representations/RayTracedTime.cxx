@@ -32,7 +32,7 @@ GlyphMotion::Settings RayTracedTime::GetMotionOfPoints() const
 {
   GlyphMotion::Settings motion = this->GetMotion();
   motion.AngularVelocity.clear();
-  return motion;
+  return motion.Effective();
 }
 
 //----------------------------------------------------------------------------

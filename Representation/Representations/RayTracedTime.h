@@ -39,7 +39,7 @@ public:
   GlyphMotion::Settings GetMotion() const;
 
   /**
-   * The same of points of lines and surfaces, which do not rotate.
+   * The same of points of lines and surfaces, which do not rotate; with all that has no effect at its default.
    */
   GlyphMotion::Settings GetMotionOfPoints() const;
 

@@ -33,8 +33,6 @@ vtkSmartPointer<vtkRayTracedMapper> rtglyphs::SurfaceContent::MakeMapper() const
 //----------------------------------------------------------------------------
 void rtglyphs::SurfaceContent::Configure(const Frame&)
 {
-  vtkRayTracedSurfaceMapper::SurfaceSettings settings;
-  settings.Smooth = this->Smooth;
-  settings.Motion = this->Common.Time.GetMotionOfPoints();
-  static_cast<vtkRayTracedSurfaceMapper*>(this->Common.Parts.Mapper.Get())->SetSettings(settings);
+  auto* surface = static_cast<vtkRayTracedSurfaceMapper*>(this->Common.Parts.Mapper.Get());
+  surface->SetSettings({ this->Smooth, this->Common.Time.GetMotionOfPoints() });
 }

@@ -1,7 +1,6 @@
 #include "TubeContent.h"
 
 #include "RayTracedSurfaceGatherer.h"
-#include "RayTracedTubeBuilder.h"
 #include "vtkMath.h"
 #include "vtkRayTracedTubeMapper.h"
 
@@ -22,12 +21,10 @@ vtkSmartPointer<vtkPolyData> rtglyphs::TubeContent::Gather(
 rtglyphs::GlyphSettings rtglyphs::TubeContent::GetSizes(vtkPolyData* lines, double&)
 {
   rtglyphs::GlyphSettings settings;
-  settings.ScaleFactor = 2.0 * std::abs(this->Radius);
+  settings.ScaleFactor = 2.0 * std::abs(this->Settings.Radius);
   settings.Motion = this->Common.Time.GetMotionOfPoints();
   bool ofCells = false;
-  rtglyphs::RayTracedTubeBuilder::Settings tubes;
-  tubes.RadiusArray = this->RadiusArray;
-  if (vtkDataArray* radii = rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, tubes, ofCells))
+  if (vtkDataArray* radii = rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells))
   {
     if (ofCells || radii->GetNumberOfComponents() > 3)
     {
@@ -36,7 +33,7 @@ rtglyphs::GlyphSettings rtglyphs::TubeContent::GetSizes(vtkPolyData* lines, doub
     else
     {
       settings.Scaling = true;
-      settings.ScaleArray = this->RadiusArray;
+      settings.ScaleArray = this->Settings.RadiusArray;
     }
   }
   return settings;
@@ -74,10 +71,7 @@ vtkSmartPointer<vtkRayTracedMapper> rtglyphs::TubeContent::MakeMapper() const
 //----------------------------------------------------------------------------
 void rtglyphs::TubeContent::Configure(const Frame& frame)
 {
-  rtglyphs::RayTracedTubeBuilder::Settings settings;
-  settings.Radius = this->Radius;
-  settings.RadiusArray = this->RadiusArray;
-  settings.FlatEnds = this->FlatEnds;
+  rtglyphs::RayTracedTubeBuilder::Settings settings = this->Settings;
   settings.Joined = frame.Translucent;
   settings.Motion = this->Common.Time.GetMotionOfPoints();
   auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->Common.Parts.Mapper.Get());

@@ -8,6 +8,7 @@
 #define TubeContent_h
 
 #include "RayTracedContent.h"
+#include "RayTracedTubeBuilder.h"
 #include "vtkDataArray.h"
 #include "vtkWeakPointer.h"
 
@@ -19,15 +20,7 @@ class TubeContent final : public RayTracedContent
 public:
   using RayTracedContent::RayTracedContent;
 
-  ///@{
-  /**
-   * Radius in world units, times the values of an array of points or cells ("None" or empty: none); lines end in discs,
-   * else in half balls.
-   */
-  double Radius = 1.0;
-  std::string RadiusArray;
-  bool FlatEnds = false;
-  ///@}
+  RayTracedTubeBuilder::Settings Settings; // but for what Configure() adds
 
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
     const RayTracedParallel::Progress& progress) const override;

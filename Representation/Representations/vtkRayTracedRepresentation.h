@@ -257,9 +257,9 @@ public:
    * Tubes: radius in world units, times the values of an array of points or cells ("None" or empty: none), default is
    * 1, None; lines end in half balls (0, default) or discs (1).
    */
-  void SetTubeRadius(double radius) { this->Tubes.Radius = OrZero(radius); }
-  void SetTubeRadiusArray(const char* name) { this->Tubes.RadiusArray = OrEmpty(name); }
-  void SetTubeEnds(int ends) { this->Tubes.FlatEnds = ends == 1; }
+  void SetTubeRadius(double radius) { this->Tubes.Settings.Radius = OrZero(radius); }
+  void SetTubeRadiusArray(const char* name) { this->Tubes.Settings.RadiusArray = OrEmpty(name); }
+  void SetTubeEnds(int ends) { this->Tubes.Settings.FlatEnds = ends == 1; }
   ///@}
 
   /**

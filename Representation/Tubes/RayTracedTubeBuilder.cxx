@@ -256,18 +256,6 @@ private:
 }
 
 //----------------------------------------------------------------------------
-Settings rtglyphs::RayTracedTubeBuilder::Settings::Effective() const
-{
-  Settings effective = *this;
-  effective.Motion = this->Motion.Effective();
-  if (rtglyphs::RayTracedArrays::IsNone(this->RadiusArray))
-  {
-    effective.RadiusArray.clear();
-  }
-  return effective;
-}
-
-//----------------------------------------------------------------------------
 vtkDataArray* rtglyphs::RayTracedTubeBuilder::RadiusArray(vtkPolyData* lines, const Settings& settings, bool& ofCells)
 {
   ofCells = false;

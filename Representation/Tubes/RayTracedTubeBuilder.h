@@ -40,9 +40,6 @@ public:
     GlyphMotion::Settings Motion;
 
     bool operator==(const Settings&) const = default;
-
-    /// With all that has no effect at its default.
-    Settings Effective() const;
   };
 
   struct Result
