@@ -2,7 +2,6 @@
 
 #include "GlyphLeaves.h"
 #include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "RayTracedRanks.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -78,9 +77,9 @@ void AddIds(vtkPolyData* out, const char* name, const Value& value)
   out->GetPointData()->AddArray(array);
 }
 
-void AddPickingIds(const Leaf& leaf, const rtglyphs::GlyphPointGatherer::Options& options, vtkPolyData* out)
+void AddPickingIds(const Leaf& leaf, bool isBlock, vtkPolyData* out)
 {
-  if (options.IsBlock || rtglyphs::RayTracedRanks::Count() > 1 || !leaf.All || leaf.CellIds)
+  if (isBlock || rtglyphs::RayTracedRanks::Count() > 1 || !leaf.All || leaf.CellIds)
   {
     AddIds<vtkIdTypeArray>(out, rtglyphs::RayTracedArrays::PointIds,
       [&leaf](vtkIdType i)
@@ -119,21 +118,21 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject* data, const Options& options)
+vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject* data, bool cellCenters, bool isBlock,
+  const int* wholeExtent, const rtglyphs::RayTracedParallel::Progress& progress)
 {
   auto out = vtkSmartPointer<vtkPolyData>::New();
-  Leaf leaf = rtglyphs::GlyphLeaves::Find(data, options.CellCenters);
+  Leaf leaf = rtglyphs::GlyphLeaves::Find(data, cellCenters);
   if (!leaf.Data || leaf.Data->GetNumberOfPoints() == 0)
   {
     return out;
   }
-  if (!options.IsBlock && rtglyphs::RayTracedRanks::Count() > 1 && options.WholeExtent)
+  if (!isBlock && rtglyphs::RayTracedRanks::Count() > 1 && wholeExtent)
   {
-    rtglyphs::GlyphLeaves::DropSharedFaces(leaf, options.WholeExtent);
+    rtglyphs::GlyphLeaves::DropSharedFaces(leaf, wholeExtent);
   }
   out->GetFieldData()->PassData(leaf.Data->GetFieldData());
   const vtkIdType count = leaf.Count();
-  const parallel::Progress progress = parallel::Worthwhile(options.Progress, count);
 
   // Points and arrays are shared with the input where all of them carry glyphs.
   auto* set = leaf.All ? vtkPointSet::SafeDownCast(leaf.Data) : nullptr;
@@ -163,7 +162,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject*
   {
     CopyArrays(leaf, true, leaf.Data->GetCellData(), out->GetCellData());
   }
-  AddPickingIds(leaf, options, out);
+  AddPickingIds(leaf, isBlock, out);
   // Filters that redistribute between ranks, and cell data, need a cell for each point.
   if (rtglyphs::RayTracedRanks::Count() > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
   {

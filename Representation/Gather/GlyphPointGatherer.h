@@ -1,6 +1,5 @@
 /**
- * @class   GlyphPointGatherer
- * @brief   the points of a data set that carry a glyph, as poly data
+ * The points of a data set that carry a glyph, as poly data.
  *
  * Input may be any data set or hyper tree grid, one leaf of RayTracedTree; GlyphLeaves says which points carry a
  * glyph, or that the centers of cells do, which have the cells' arrays. Where nothing has to be copied, points and
@@ -21,22 +20,14 @@
 class vtkDataObject;
 class vtkPolyData;
 
-namespace rtglyphs
+namespace rtglyphs::GlyphPointGatherer
 {
-
-class GlyphPointGatherer
-{
-public:
-  struct Options
-  {
-    bool CellCenters = false;         // instead of points; hyper tree grids always give those
-    bool IsBlock = false;             // of composite data
-    const int* WholeExtent = nullptr; // of the structured data set of which the input is this process's piece
-    RayTracedParallel::Progress Progress;
-  };
-  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Options& options);
-};
-
-} // namespace rtglyphs
+/**
+ * `cellCenters`: instead of points; hyper tree grids always give those. `isBlock`: of composite data. `wholeExtent`: of
+ * the structured data set of which the input is this process's piece; null: it is none.
+ */
+vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, bool cellCenters, bool isBlock, const int* wholeExtent,
+  const RayTracedParallel::Progress& progress);
+}
 
 #endif

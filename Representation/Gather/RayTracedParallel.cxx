@@ -11,7 +11,7 @@
 
 namespace
 {
-// Chunks between two calls of a Progress, some tenths of a second of work.
+// Chunks between two calls of a Progress, some tenths of a second of work; shorter work has none.
 constexpr vtkIdType chunksPerReport = 32;
 
 // As many as VTK's SMP tools would take. Where these know no threads, as in Debian's packages, and
@@ -30,19 +30,9 @@ std::size_t Threads()
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedParallel::Progress rtglyphs::RayTracedParallel::Worthwhile(const Progress& progress, vtkIdType count)
-{
-  return NumberOfChunks(count) > chunksPerReport ? progress : Progress();
-}
-
-//----------------------------------------------------------------------------
 rtglyphs::RayTracedParallel::Progress
 rtglyphs::RayTracedParallel::Part(const Progress& whole, double first, double last)
 {
-  if (!whole)
-  {
-    return {};
-  }
   return [whole, first, last](double share) { whole(first + share * (last - first)); };
 }
 

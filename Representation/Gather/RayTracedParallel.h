@@ -36,12 +36,7 @@ inline vtkIdType ChunkOf(vtkIdType i)
 using Progress = std::function<void(double)>;
 
 /**
- * `progress`, or an empty one where work on that many items takes too short a time for a message.
- */
-Progress Worthwhile(const Progress& progress, vtkIdType count);
-
-/**
- * Progress of work that takes `whole` from one fraction to another.
+ * Progress of work that takes `whole`, which is not empty, from one fraction to another.
  */
 Progress Part(const Progress& whole, double first, double last);
 

@@ -1,6 +1,5 @@
 /**
- * @class   RayTracedSurfaceGatherer
- * @brief   the outer surface of a data set, or its lines, as poly data
+ * The outer surface of a data set, or its lines, as poly data.
  *
  * Input may be any data set or hyper tree grid, one leaf of RayTracedTree. The surface is that of ParaView's
  * ordinary surface representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the
@@ -16,26 +15,20 @@
 class vtkDataObject;
 class vtkPolyData;
 
-namespace rtglyphs
+namespace rtglyphs::RayTracedSurfaceGatherer
 {
-
-class RayTracedSurfaceGatherer
+struct Settings
 {
-public:
-  struct Settings
-  {
-    /// Lines instead of triangles; where there are none, points alone.
-    bool Lines = false;
-    /// Points without normals get some; edges sharper than 30 degrees stay sharp.
-    bool ComputesNormals = true;
-    /// How often faces of nonlinear cells are divided into four, or their edges in two; 0: not at all.
-    int NonlinearSubdivisionLevel = 1;
-    /// That of the structured data set of which the input is this process's piece; null when there is none.
-    const int* WholeExtent = nullptr;
-  };
-  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Settings& settings);
+  /// Lines instead of triangles; where there are none, points alone.
+  bool Lines = false;
+  /// Points without normals get some; edges sharper than 30 degrees stay sharp.
+  bool ComputesNormals = true;
+  /// How often faces of nonlinear cells are divided into four, or their edges in two; 0: not at all.
+  int NonlinearSubdivisionLevel = 1;
+  /// That of the structured data set of which the input is this process's piece; null when there is none.
+  const int* WholeExtent = nullptr;
 };
-
-} // namespace rtglyphs
+vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Settings& settings);
+}
 
 #endif

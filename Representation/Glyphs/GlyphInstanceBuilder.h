@@ -1,6 +1,5 @@
 /**
- * @class   GlyphInstanceBuilder
- * @brief   builds the glyph instances that the kernels trace from points and arrays
+ * Builds the glyph instances that the kernels trace from points and arrays.
  *
  * GlyphMaker makes the glyph of a point. Positions are made relative to the middle of the data in double
  * precision.
@@ -24,29 +23,23 @@
 class vtkMatrix4x4;
 class vtkPolyData;
 
-namespace rtglyphs
+namespace rtglyphs::GlyphInstanceBuilder
 {
-
-class GlyphInstanceBuilder
+struct Result
 {
-public:
-  struct Result
-  {
-    rtg::GlyphInstances Instances;
-    std::vector<vtkIdType> Points; // point of each glyph
-    std::vector<float> Radii;      // of each polynomial: the |f| that half its size stands for, in units of the array
-    vtkIdType Skipped = 0;         // points that could not be shown
-    std::vector<std::string> Messages;
-    std::string MissingInput; // what must be chosen before there are glyphs, or these move; empty: nothing
-  };
-
-  /**
-   * Hidden points as RayTracedBlocks has them; `modelToWorld` may be null.
-   */
-  static Result Build(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
-    vtkMatrix4x4* modelToWorld, const RayTracedParallel::Progress& progress = {});
+  rtg::GlyphInstances Instances;
+  std::vector<vtkIdType> Points; // point of each glyph
+  std::vector<float> Radii;      // of each polynomial: the |f| that half its size stands for, in units of the array
+  vtkIdType Skipped = 0;         // points that could not be shown
+  std::vector<std::string> Messages;
+  std::string MissingInput; // what must be chosen before there are glyphs, or these move; empty: nothing
 };
 
-} // namespace rtglyphs
+/**
+ * Hidden points as RayTracedBlocks has them; `modelToWorld` may be null.
+ */
+Result Build(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
+  vtkMatrix4x4* modelToWorld, const RayTracedParallel::Progress& progress);
+}
 
 #endif

@@ -43,12 +43,7 @@ void rtglyphs::GlyphContent::GatherMeshes(vtkDataObject* source, vtkAlgorithm* f
 vtkSmartPointer<vtkPolyData> rtglyphs::GlyphContent::Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
   const rtglyphs::RayTracedParallel::Progress& progress) const
 {
-  rtglyphs::GlyphPointGatherer::Options options;
-  options.CellCenters = this->Cells;
-  options.IsBlock = isBlock;
-  options.WholeExtent = wholeExtent;
-  options.Progress = progress;
-  return rtglyphs::GlyphPointGatherer::Gather(data, options);
+  return rtglyphs::GlyphPointGatherer::Gather(data, this->Cells, isBlock, wholeExtent, progress);
 }
 
 //----------------------------------------------------------------------------

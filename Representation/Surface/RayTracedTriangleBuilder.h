@@ -1,6 +1,5 @@
 /**
- * @class   RayTracedTriangleBuilder
- * @brief   builds the triangles that the kernels trace from polygons
+ * Builds the triangles that the kernels trace from polygons.
  *
  * Normals of the points become those of the triangles' corners, with an actor's transform as vtk does it; normals of
  * zero length, or not finite, leave a triangle its own.
@@ -21,27 +20,25 @@ class vtkPolyData;
 namespace rtglyphs
 {
 class GlyphMotion;
+}
 
-class RayTracedTriangleBuilder
+namespace rtglyphs::RayTracedTriangleBuilder
 {
-public:
-  struct Result
-  {
-    rtg::TriangleMesh Mesh;       // without colors; positions are those of the points, in their order
-    glm::dvec3 Origin{ 0.0 };     // that positions are relative to
-    std::vector<vtkIdType> Cells; // of each triangle
-    vtkIdType Skipped = 0;        // triangles
-  };
-
-  /**
-   * Points that are `hidden` (RayTracedBlocks::GetHidden()) are left out. `modelToWorld` may be null. Without `smooth`,
-   * normals are left out. The motion of the points becomes that of the positions, which are relative to the middle of
-   * the data; without it (null) they are relative to the origin.
-   */
-  static Result Build(vtkPolyData* polygons, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, bool smooth,
-    const GlyphMotion* motion);
+struct Result
+{
+  rtg::TriangleMesh Mesh;       // without colors; positions are those of the points, in their order
+  glm::dvec3 Origin{ 0.0 };     // that positions are relative to
+  std::vector<vtkIdType> Cells; // of each triangle
+  vtkIdType Skipped = 0;        // triangles
 };
 
-} // namespace rtglyphs
+/**
+ * Points that are `hidden` (RayTracedBlocks::GetHidden()) are left out. `modelToWorld` may be null. Without `smooth`,
+ * normals are left out. The motion of the points becomes that of the positions, which are relative to the middle of
+ * the data; without it (null) they are relative to the origin.
+ */
+Result Build(vtkPolyData* polygons, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, bool smooth,
+  const GlyphMotion* motion);
+}
 
 #endif

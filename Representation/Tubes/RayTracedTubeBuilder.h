@@ -1,6 +1,5 @@
 /**
- * @class   RayTracedTubeBuilder
- * @brief   builds the round cones that the kernels trace from lines and poly-lines
+ * Builds the round cones that the kernels trace from lines and poly-lines.
  *
  * Round cones are those of TubePieces. With covariances as radii each piece is a swept ellipsoid
  * (Kernels/Shapes/SweptEllipsoid.glsl), whose ends are round.
@@ -24,47 +23,40 @@ class vtkDataArray;
 class vtkMatrix4x4;
 class vtkPolyData;
 
-namespace rtglyphs
+namespace rtglyphs::RayTracedTubeBuilder
 {
-
-class RayTracedTubeBuilder
+struct Settings
 {
-public:
-  struct Settings
-  {
-    double Radius = 1.0; // world units
-    // Of points, or else of cells, times Radius; covariances times its square; empty or "None": none.
-    std::string RadiusArray;
-    bool FlatEnds = false;
-    bool Joined = false; // no surface is left inside a line, as translucent ones show
-    GlyphMotion::Settings Motion;
+  double Radius = 1.0; // world units
+  // Of points, or else of cells, times Radius; covariances times its square; empty or "None": none.
+  std::string RadiusArray;
+  bool FlatEnds = false; // discs, else half balls
+  bool Joined = false;   // no surface is left inside a line, as translucent ones show
+  GlyphMotion::Settings Motion;
 
-    bool operator==(const Settings&) const = default;
-  };
-
-  struct Result
-  {
-    rtg::GlyphInstances Instances;
-    std::vector<vtkIdType> Cells;               // of each piece
-    std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece
-    vtkIdType Bad = 0;                          // pieces and lines left out because something is wrong
-    vtkIdType Empty = 0;                        // pieces left out because their radii are zero
-    std::vector<std::string> Messages;
-  };
-
-  /**
-   * The array of radii, and whether it has one for each cell; null where none is named, or none fits.
-   */
-  static vtkDataArray* RadiusArray(vtkPolyData* lines, const Settings& settings, bool& ofCells);
-
-  /**
-   * In the world, relative to the middle of the data. Points that are `hidden` (RayTracedBlocks::GetHidden())
-   * are left out. `modelToWorld` may be null.
-   */
-  static Result
-  Build(vtkPolyData* lines, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, const Settings& settings);
+  bool operator==(const Settings&) const = default;
 };
 
-} // namespace rtglyphs
+struct Result
+{
+  rtg::GlyphInstances Instances;
+  std::vector<vtkIdType> Cells;               // of each piece
+  std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece
+  vtkIdType Bad = 0;                          // pieces and lines left out because something is wrong
+  vtkIdType Empty = 0;                        // pieces left out because their radii are zero
+  std::vector<std::string> Messages;
+};
+
+/**
+ * The array of radii, and whether it has one for each cell; null where none is named, or none fits.
+ */
+vtkDataArray* RadiusArray(vtkPolyData* lines, const Settings& settings, bool& ofCells);
+
+/**
+ * In the world, relative to the middle of the data. Points that are `hidden` (RayTracedBlocks::GetHidden()) are left
+ * out. `modelToWorld` may be null.
+ */
+Result Build(vtkPolyData* lines, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, const Settings& settings);
+}
 
 #endif
