@@ -3,6 +3,7 @@
 #include "GlyphGLTFWriter.h"
 #include "GlyphTessellatedSet.h"
 #include "GlyphUSDWriter.h"
+#include "vtkCollectionRange.h"
 #include "vtkObjectFactory.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderWindow.h"
@@ -42,10 +43,7 @@ void vtkRayTracedExporter::WriteData()
   std::vector<rtglyphs::GlyphTessellatedSet> sets;
   std::vector<std::string> messages;
   bool surfaces = false;
-  vtkRendererCollection* renderers = this->RenderWindow->GetRenderers();
-  vtkCollectionSimpleIterator at;
-  renderers->InitTraversal(at);
-  while (vtkRenderer* renderer = renderers->GetNextRenderer(at))
+  for (vtkRenderer* renderer : vtk::Range(this->RenderWindow->GetRenderers()))
   {
     if (vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer))
     {

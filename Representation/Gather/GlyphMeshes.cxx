@@ -5,7 +5,7 @@
 #include "RayTracedTree.h"
 #include "vtkAppendPolyData.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -45,13 +45,9 @@ void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreMeshes)
   if (blocksAreMeshes && blocks)
   {
     vtkNew<vtkMultiBlockDataSet> table;
-    auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
-    block->SetSkipEmptyNodes(false);
-    block->SetVisitOnlyLeaves(false);
-    block->SetTraverseSubTree(false);
-    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    for (vtkDataObject* block : vtk::Range(blocks, vtk::DataObjectTreeOptions::None))
     {
-      table->SetBlock(table->GetNumberOfBlocks(), PolygonsOf(block->GetCurrentDataObject()));
+      table->SetBlock(table->GetNumberOfBlocks(), PolygonsOf(block));
     }
     this->Piece->SetBlock(0, table);
   }

@@ -7,6 +7,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCollectionRange.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
@@ -72,14 +73,11 @@ void vtkGlyphLegend::SetGlyphs(const rtglyphs::GlyphSettings& settings, double s
 void vtkGlyphLegend::AddTo(vtkPVRenderView* view)
 {
   this->Superclass::AddTo(view);
-  vtkActorCollection* actors = view->GetRenderer()->GetActors();
-  vtkCollectionSimpleIterator at;
-  actors->InitTraversal(at);
-  while (vtkActor* actor = actors->GetNextActor(at))
+  for (vtkObject* actor : vtk::Range(view->GetRenderer()->GetActors()))
   {
     if (actor->IsA("vtkPVCenterAxesActor"))
     {
-      this->Center = actor;
+      this->Center = static_cast<vtkActor*>(actor);
     }
   }
 }

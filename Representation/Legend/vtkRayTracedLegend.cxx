@@ -2,6 +2,7 @@
 
 #include "vtkBorderRepresentation.h"
 #include "vtkBoundingBox.h"
+#include "vtkCollectionRange.h"
 #include "vtkContext2DScalarBarActor.h"
 #include "vtkCoordinate.h"
 #include "vtkPVRenderView.h"
@@ -17,7 +18,6 @@
 #include "vtkViewport.h"
 #include "vtkWindow.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <tuple>
@@ -27,12 +27,9 @@ namespace
 template <typename F>
 void ForEachVisibleProp(vtkRenderer* renderer, F&& visit)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator at;
-  props->InitTraversal(at);
-  while (vtkProp* prop = props->GetNextProp(at))
+  for (vtkObject* item : vtk::Range(renderer->GetViewProps()))
   {
-    if (prop->GetVisibility())
+    if (auto* prop = static_cast<vtkProp*>(item); prop->GetVisibility())
     {
       visit(prop);
     }
@@ -155,10 +152,7 @@ std::vector<vtkRayTracedLegend::Box> vtkRayTracedLegend::Obstacles(vtkRenderer* 
   std::vector<Box> boxes;
   const glm::dvec2 view(renderer->GetSize()[0], renderer->GetSize()[1]);
   const glm::dvec4 whole = glm::make_vec4(renderer->GetViewport());
-  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
-  vtkCollectionSimpleIterator at;
-  renderers->InitTraversal(at);
-  while (vtkRenderer* other = renderers->GetNextRenderer(at))
+  for (vtkRenderer* other : vtk::Range(renderer->GetRenderWindow()->GetRenderers()))
   {
     const glm::dvec4 part = glm::make_vec4(other->GetViewport());
     bool shows = false;

@@ -1,5 +1,6 @@
 #include "RayTracedRendererState.h"
 
+#include "vtkCollectionRange.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -27,10 +28,7 @@ namespace
 std::vector<vtkLight*> LightsOn(vtkRenderer* renderer)
 {
   std::vector<vtkLight*> on;
-  vtkLightCollection* all = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  all->InitTraversal(iterator);
-  while (vtkLight* light = all->GetNextLight(iterator))
+  for (vtkLight* light : vtk::Range(renderer->GetLights()))
   {
     if (light->GetSwitch())
     {
@@ -66,6 +64,9 @@ double RadiusOf(vtkLight* light)
   const double radius = key && info && info->Has(key) ? info->Get(key) : 0.0;
   return std::isfinite(radius) ? std::max(radius, 0.0) : 0.0;
 }
+
+// Wider environment images, or higher than half of it, are made smaller: one of 32768 x 16384 would take 6 GB twice.
+constexpr vtkIdType mostEnvironmentColumns = 4096;
 }
 
 //----------------------------------------------------------------------------
@@ -162,13 +163,6 @@ rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, double softnes
     lights.push_back(converted);
   }
   return lights;
-}
-
-//----------------------------------------------------------------------------
-namespace
-{
-// Wider environment images, or higher than half of it, are made smaller: one of 32768 x 16384 would take 6 GB twice.
-constexpr vtkIdType mostEnvironmentColumns = 4096;
 }
 
 //----------------------------------------------------------------------------
