@@ -3,14 +3,58 @@
 #include "RayTracedFrameStatus.h"
 #include "RayTracedProgress.h"
 #include "RayTracedRanks.h"
-#include "RayTracedSignal.h"
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <csignal>
 #include <utility>
+
+namespace
+{
+// Ctrl+C while an image is traced. A Python interpreter only takes note of the signal and acts when it runs again,
+// which may be minutes later; while an object of this class lives Arrived() is true after the signal. It is passed on
+// when the object goes. Programs without a handler of their own are left alone: there the signal ends the program.
+class InterruptSignal
+{
+public:
+  InterruptSignal()
+  {
+    const Handler before = std::signal(SIGINT, Handle);
+    if (before == SIG_DFL || before == SIG_IGN || before == SIG_ERR || before == Handle)
+    {
+      std::signal(SIGINT, before == SIG_ERR ? SIG_DFL : before);
+      return;
+    }
+    Raised = 0;
+    this->Before = before;
+  }
+  ~InterruptSignal()
+  {
+    if (this->Before)
+    {
+      std::signal(SIGINT, this->Before);
+      if (Raised)
+      {
+        std::raise(SIGINT);
+      }
+    }
+  }
+  InterruptSignal(const InterruptSignal&) = delete;
+  InterruptSignal& operator=(const InterruptSignal&) = delete;
+
+  bool Arrived() const { return this->Before && Raised; }
+
+private:
+  using Handler = void (*)(int);
+  static void Handle(int) { Raised = 1; }
+
+  static inline volatile std::sig_atomic_t Raised = 0;
+  Handler Before = nullptr;
+};
+}
 
 //----------------------------------------------------------------------------
 rtglyphs::RayTracedFrame::RayTracedFrame(
@@ -79,7 +123,7 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
   this->Stopped = this->Own.Capture ? this->Stopped : stays;
   const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
   // The user may stop it; ParaView's progress bar shows its progress.
-  rtglyphs::RayTracedSignal signal;
+  const InterruptSignal signal;
   this->Progress.Start();
   const rtg::Interrupt interrupt = [&](double share)
   {

@@ -1,10 +1,12 @@
 #include "RayTracedImageRequest.h"
 
-#include "RayTracedStudioLight.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderer.h"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +65,58 @@ void PutGroundBelow(const vtkBoundingBox& shown, int across, vtkCamera* camera, 
   settings.groundNormal[axis] = upwards ? 1.0f : -1.0f;
   settings.groundHeight = upwards ? shown.GetBound(2 * axis) : -shown.GetBound(2 * axis + 1);
 }
+
+// Of the light on a surface that faces all of it.
+constexpr float skyFraction = 0.6f, keyFraction = 1.0f - skyFraction;
+// The sky's radiance from above and below is 1 +- this times its mean. On a surface with normal n that is an irradiance
+// of pi (1 + 2/3 slope n.up).
+constexpr float slope = 0.9f;
+// The sky's mean in ambient occlusion: with it the brightest surface below a headlight, whose normal leans upwards by
+// 21 degrees, shows its color. The largest value of 0.4 L(cos a) + 0.6 mean (1 + 2/3 slope sin a) is 1, L: IEC
+// 61966-2-1.
+constexpr float occlusionMean = 0.902f;
+constexpr float albedoLimit = 0.8f;
+
+// Degrees of the key light: above the camera and to the left of it, and half of its width.
+constexpr float keyElevation = 45.0f, keyAzimuth = 45.0f, keyRadius = 8.0f;
+
+// Changes the light of an image, whose settings and lights are those of a uniform sky, to the default one, which shows
+// shape: a sky that is brighter above than below and, in path tracing, a key light from above on the left, as in a
+// photographer's studio. Both follow the camera. People take light to come from there (Sun and Perona, "Where is the
+// sun?", Nature Neuroscience 1, 1998). Ambient occlusion keeps the view's lights beside the sky. Path tracing takes the
+// key light unless the view has lights that are placed in the scene. A surface that faces the light, without occlusion,
+// shows its color; what no array colors reflects four fifths of the light at most.
+void ApplyStudioLight(rtg::ImageView& view, vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const glm::vec3 forward = glm::normalize(glm::vec3(glm::make_vec3(camera->GetDirectionOfProjection())));
+  const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(glm::make_vec3(camera->GetViewUp()))));
+  const glm::vec3 up = glm::cross(right, forward);
+  rtg::TraceSettings& settings = view.settings;
+  settings.skySlope = slope * up;
+  settings.albedoLimit = albedoLimit;
+  if (settings.shading == rtg::Shading::AmbientOcclusion)
+  {
+    settings.lightFraction = keyFraction;
+    settings.lightIntensity *= occlusionMean;
+    return;
+  }
+  const float elevation = glm::radians(keyElevation), azimuth = glm::radians(keyAzimuth);
+  const glm::vec3 toKey =
+    glm::sin(elevation) * up - glm::cos(elevation) * (glm::sin(azimuth) * right + glm::cos(azimuth) * forward);
+  // The irradiance is largest along the sum of what sky and key add to the sky's mean.
+  const float largest = skyFraction + glm::length(2.0f / 3.0f * skyFraction * slope * up + keyFraction * toKey);
+  if (view.lights.empty())
+  {
+    rtg::Light key;
+    key.kind = rtg::Light::Kind::Directional;
+    key.direction = -toKey;
+    key.color = glm::vec3(settings.lightIntensity * keyFraction / largest);
+    key.angularRadius = keyRadius;
+    view.lights.push_back(key);
+  }
+  settings.lightIntensity *= skyFraction / largest;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -92,7 +146,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   const bool lit = view.settings.shading == rtg::Shading::AmbientOcclusion || surrounded;
   if (lit && settings.Illumination == rtglyphs::RayTracedImageSettings::StudioLight && !view.settings.environmentImage)
   {
-    rtglyphs::RayTracedStudioLight::Apply(view, renderer);
+    ApplyStudioLight(view, renderer);
   }
   // Without lights that cast shadows there are no shadow rays.
   view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&

@@ -13,7 +13,7 @@ struct RayTracedImageSettings
 {
   int ShadingMode = 0;                 // as rtg::Shading, in [0, 2]
   double AmbientOcclusionRadius = 0.0; // world units, >= 0; 0: unbounded
-  int Illumination = 0;                // environment light: RayTracedStudioLight, uniform, or none
+  int Illumination = 0;                // environment light: that of a studio, uniform, or none
   static constexpr int StudioLight = 0, UniformLight = 1, LightsOfView = 2;
   bool Shadows = false;        // of lights, where the shading mode has a choice
   double ShadowSoftness = 2.0; // degrees, in [0, 45]: angular radius of lights that have no radius
