@@ -16,8 +16,6 @@
 #include "vtkPVView.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRayTracedActors.h"
-#include "vtkRayTracedGlyphMapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -287,6 +285,31 @@ std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::MakeLayers(vtkPolyD
 }
 
 //----------------------------------------------------------------------------
+// Makes or drops layers of the view.
+void rtglyphs::GlyphContent::Resize(
+  LayerList& layers, std::size_t size, vtkPVDataRepresentation* owner, vtkPVRenderView* view)
+{
+  for (; layers.size() > size; layers.pop_back())
+  {
+    this->Common.Parts.Remove(owner, view, layers.back()->Actor, layers.back()->Mapper);
+  }
+  while (layers.size() < size)
+  {
+    layers.push_back(std::make_unique<Layer>());
+    this->Common.Parts.Add(owner, view, layers.back()->Actor, layers.back()->Mapper);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Takes over blocks, and the main actor's appearance.
+void rtglyphs::GlyphContent::Update(Layer& layer, const rtglyphs::RayTracedBlocks& blocks) const
+{
+  layer.Mapper->SetSelectionColor(this->Common.SelectionColor);
+  layer.Mapper->SetBlocks(blocks);
+  rtglyphs::RayTracedParts::Copy(this->Common.Parts.Actor, layer.Actor);
+}
+
+//----------------------------------------------------------------------------
 // The main mapper draws the first layer.
 void rtglyphs::GlyphContent::Configure(const Frame& frame)
 {
@@ -309,11 +332,11 @@ void rtglyphs::GlyphContent::Configure(const Frame& frame)
   this->UpdateLegend(glyphs);
   this->Common.Key->SetColoring(glyphs.DirectionColoring);
 
-  this->Layers.Resize(layers.size() - 1, this->Common.Parts, frame.Representation, frame.View);
+  this->Resize(this->Layers, layers.size() - 1, frame.Representation, frame.View);
   for (std::size_t i = 1; i < layers.size(); ++i)
   {
-    rtglyphs::GlyphLayers::Layer& layer = this->Layers[i - 1];
-    layer.Update(this->Common.Blocks, this->Common.Parts.Actor, this->Common.SelectionColor);
+    Layer& layer = *this->Layers[i - 1];
+    this->Update(layer, this->Common.Blocks);
     layers[i].TrailJoined = layers[i].TrailSteps > 0 && frame.Translucent;
     layer.Mapper->SetSettings(layers[i], this->Meshes.GetMesh(layers[i].TableEntry));
     layer.Mapper->SetTensorTable(this->TensorTable);
@@ -338,7 +361,7 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
   }
   if (reduced || frame.Collective) // ranks have the same layers, whichever have enough points
   {
-    this->Reduced.Resize(1, this->Common.Parts, frame.Representation, frame.View);
+    this->Resize(this->Reduced, 1, frame.Representation, frame.View);
   }
   for (const auto& layer : this->Reduced)
   {
@@ -348,8 +371,8 @@ void rtglyphs::GlyphContent::ShowReduced(const Frame& frame, bool reduced)
   {
     return;
   }
-  rtglyphs::GlyphLayers::Layer& layer = this->Reduced[0];
-  layer.Update(this->Common.Reduced, this->Common.Parts.Actor, this->Common.SelectionColor);
+  Layer& layer = *this->Reduced[0];
+  this->Update(layer, this->Common.Reduced);
   layer.Mapper->SetSettings(rtglyphs::GlyphReduction::SettingsFor(this->MakeSettings()), this->Meshes.GetMesh(0));
   layer.Mapper->SetTensorTable(this->TensorTable);
   layer.Mapper->SetTensorRange(this->GetTensorRange());
@@ -381,7 +404,7 @@ void rtglyphs::GlyphContent::Show(bool visible)
 {
   this->RayTracedContent::Show(visible);
   this->Legend->SetVisibility(visible);
-  for (const rtglyphs::GlyphLayers* layers : { &this->Layers, &this->Reduced })
+  for (const auto* layers : { &this->Layers, &this->Reduced })
   {
     for (const auto& layer : *layers)
     {

@@ -7,7 +7,6 @@
 #ifndef GlyphContent_h
 #define GlyphContent_h
 
-#include "GlyphLayers.h"
 #include "GlyphMeshes.h"
 #include "GlyphReduction.h"
 #include "GlyphKeptGuess.h"
@@ -16,9 +15,11 @@
 #include "GlyphTensorRange.h"
 #include "RayTracedContent.h"
 #include "vtkGlyphLegend.h"
+#include "vtkRayTracedGlyphMapper.h"
 #include "vtkScalarsToColors.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace rtglyphs
@@ -75,7 +76,7 @@ public:
   void Show(bool visible) override;
   void SetLayerBounds(const double bounds[6]) override
   {
-    for (const GlyphLayers* layers : { &this->Layers, &this->Reduced })
+    for (const auto* layers : { &this->Layers, &this->Reduced })
     {
       for (const auto& layer : *layers)
       {
@@ -85,12 +86,20 @@ public:
   }
   void RemoveLayers(vtkPVDataRepresentation* representation, vtkPVRenderView* view) override
   {
-    this->Layers.Resize(0, this->Common.Parts, representation, view);
-    this->Reduced.Resize(0, this->Common.Parts, representation, view);
+    this->Resize(this->Layers, 0, representation, view);
+    this->Resize(this->Reduced, 0, representation, view);
   }
   vtkGlyphLegend* GetLegend() { return this->Legend; }
 
 private:
+  // What is drawn besides the main actor: its points, blocks, placement and appearance with other settings.
+  struct Layer
+  {
+    vtkNew<vtkRayTracedActor> Actor;
+    vtkNew<vtkRayTracedGlyphMapper> Mapper;
+  };
+  using LayerList = std::vector<std::unique_ptr<Layer>>;
+
   GlyphSettings MakeSettings() const;
   std::vector<GlyphSettings> MakeLayers(vtkPolyData* points) const;
   double ScalePercentile(vtkPolyData* points, const GlyphSettings& settings);
@@ -104,6 +113,8 @@ private:
   void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
   void UpdateLegend(const GlyphSettings& settings);
+  void Resize(LayerList& layers, std::size_t size, vtkPVDataRepresentation* owner, vtkPVRenderView* view);
+  void Update(Layer& layer, const RayTracedBlocks& blocks) const;
 
   vtkNew<vtkGlyphLegend> Legend;
   bool ScaleFactorFromData = false;
@@ -111,9 +122,9 @@ private:
   RayTracedCache<GlyphArrays::Key> KnownScales; // of ScalePercentile()
   GlyphTensorRange NumberRange;
   GlyphMeshes Meshes;
-  GlyphLayers Layers; // of MakeLayers() all but the first
+  LayerList Layers; // of MakeLayers() all but the first
   GlyphReduction Reduction;
-  GlyphLayers Reduced; // at most one, instead of all others
+  LayerList Reduced; // at most one, instead of all others
 };
 
 } // namespace rtglyphs
