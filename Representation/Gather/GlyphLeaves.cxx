@@ -2,7 +2,6 @@
 
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellCenters.h"
 #include "vtkCellData.h"
@@ -124,24 +123,6 @@ void FindOwn(vtkDataSet* data, const int extent[6], int lowest[3])
   }
 }
 
-// Whether cell i of vertices of one point each is that of point i.
-struct AreInOrder
-{
-  template <class Array>
-  void operator()(Array* points, std::atomic<bool>& inOrder) const
-  {
-    const auto range = vtk::DataArrayValueRange<1>(points);
-    parallel::ForEach(points->GetNumberOfValues(),
-      [&](vtkIdType i)
-      {
-        if (static_cast<vtkIdType>(range[i]) != i && inOrder)
-        {
-          inOrder = false;
-        }
-      });
-  }
-};
-
 // The one cell of each point, where every cell is a single vertex of its own; as in particle files.
 void FindVertexCells(Leaf& leaf)
 {
@@ -160,13 +141,8 @@ void FindVertexCells(Leaf& leaf)
     return;
   }
   vtkDataArray* const points = vertices->GetConnectivityArray();
-  std::atomic<bool> inOrder{ true };
-  AreInOrder check;
-  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(points, check, inOrder))
-  {
-    check(points, inOrder);
-  }
-  if (!inOrder)
+  const auto isOfOtherPoint = [points](vtkIdType cell) { return points->GetComponent(cell, 0) == cell ? 0.0 : 1.0; };
+  if (parallel::Largest(count, isOfOtherPoint) > 0.0)
   {
     std::vector<vtkIdType> cells(count, -1);
     vtkIdType cell = 0;
