@@ -364,15 +364,10 @@ void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColors& colors) const
 
 //----------------------------------------------------------------------------
 // A glyph stands for its point, and for a cell where the gatherer has found one.
-vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
+vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::FindOrigin(vtkIdType glyph, int association, const double*)
 {
-  vtkPolyData* points = this->GetPolyData();
-  if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())
-  {
-    return Origin();
-  }
   const vtkIdType point = this->OriginalIds[glyph];
-  Origin origin = this->Superclass::OriginOf(point, -1, false);
+  Origin origin = this->OriginOfPoint(point, -1, false);
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
     const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];

@@ -40,7 +40,6 @@ public:
 
   // vtkRayTracedMapper
   void AddToMaterial(rtg::Material& material) const override;
-  Origin OriginOf(vtkIdType glyph, int association, const double position[3]) override;
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_POINTS; }
 
 protected:
@@ -52,6 +51,7 @@ protected:
   void BuildInstances(vtkPolyData* points, vtkActor* actor) override;
   void BuildColors(vtkPolyData* points) override;
   std::vector<vtkMTimeType> ColorState() const override;
+  Origin FindOrigin(vtkIdType glyph, int association, const double position[3]) override;
   bool NeedsSolidColor() const override { return !this->TrailEnds.empty() && this->Settings.TrailFading > 0.0; }
 
 private:

@@ -277,7 +277,7 @@ std::array<double, 4> vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vt
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const
+vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOfPoint(vtkIdType point, vtkIdType cell, bool ofCells) const
 {
   const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
   vtkPointData* data = block.Data->GetPointData();

@@ -158,9 +158,14 @@ public:
     int Process = -1; // -1: this one
   };
   /**
-   * `association` is a vtkDataObject::FieldAssociations, `position` in world coordinates.
+   * `association` is a vtkDataObject::FieldAssociations, `position` in world coordinates. Of a glyph that is no longer
+   * there nothing can be selected.
    */
-  virtual Origin OriginOf(vtkIdType glyph, int association, const double position[3]) = 0;
+  Origin OriginOf(vtkIdType glyph, int association, const double position[3])
+  {
+    const bool known = this->PolyData && glyph >= 0 && glyph < this->GetNumberOfGlyphs();
+    return known ? this->FindOrigin(glyph, association, position) : Origin();
+  }
 
   /**
    * FieldAssociations of what a glyph or triangle primarily stands for.
@@ -190,6 +195,7 @@ protected:
   virtual void BuildColors(vtkPolyData* points) = 0;
   virtual std::vector<vtkMTimeType> ColorState() const { return {}; }
   virtual bool NeedsSolidColor() const { return false; } // even where no glyph has a color
+  virtual Origin FindOrigin(vtkIdType glyph, int association, const double position[3]) = 0;
   ///@}
 
   /**
@@ -250,7 +256,7 @@ protected:
   /**
    * Where a point and its cell, -1 for none, come from; of cells, or of points.
    */
-  Origin OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const;
+  Origin OriginOfPoint(vtkIdType point, vtkIdType cell, bool ofCells) const;
 
   /**
    * The missing input of instances, and its `messages`; with the latter, but

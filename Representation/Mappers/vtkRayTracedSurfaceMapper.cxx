@@ -77,8 +77,6 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
   auto colored = std::make_shared<rtg::TriangleMesh>(mesh);
   colored->positionColors.clear();
   colored->triangleColors.clear();
-  colored->positionValues.clear();
-  colored->valueColors.clear();
   const MappedColors mapped = this->MapColors(true, "point or cell of the surface", messages);
   colored->positionValues = mapped.Values;
   colored->valueColors = mapped.Table;
@@ -107,21 +105,10 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
 }
 
 //----------------------------------------------------------------------------
-rtg::GlyphInstances vtkRayTracedSurfaceMapper::TakeInstances(vtkActor*)
-{
-  return this->Instances;
-}
-
-//----------------------------------------------------------------------------
 // A point is that corner of the triangle that lies nearest.
 vtkRayTracedMapper::Origin
-vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const double position[3])
+vtkRayTracedSurfaceMapper::FindOrigin(vtkIdType triangle, int association, const double position[3])
 {
-  vtkPolyData* surface = this->GetPolyData();
-  if (!surface || triangle < 0 || triangle >= this->GetNumberOfGlyphs())
-  {
-    return Origin();
-  }
   const rtg::TriangleMesh& mesh = *this->Instances.mesh;
   const glm::uvec3 corners = mesh.triangles[triangle];
   vtkIdType nearest = corners.x;
@@ -134,6 +121,6 @@ vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const d
       nearest = corner;
     }
   }
-  return this->Superclass::OriginOf(
+  return this->OriginOfPoint(
     nearest, this->OriginalIds[triangle], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }

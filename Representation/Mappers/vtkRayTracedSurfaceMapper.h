@@ -34,8 +34,7 @@ public:
   void SetSettings(const SurfaceSettings& settings) { this->Settings = settings; }
 
   // vtkRayTracedMapper
-  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
-  Origin OriginOf(vtkIdType triangle, int association, const double position[3]) override;
+  rtg::GlyphInstances TakeInstances(vtkActor*) override { return this->Instances; }
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
 protected:
@@ -46,6 +45,7 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
   void BuildColors(vtkPolyData* surface) override;
+  Origin FindOrigin(vtkIdType triangle, int association, const double position[3]) override;
 
 private:
   SurfaceSettings Settings, BuiltSettings;

@@ -124,22 +124,17 @@ glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType pie
 
 //----------------------------------------------------------------------------
 // A point is that end of the piece that lies nearer.
-vtkRayTracedMapper::Origin vtkRayTracedTubeMapper::OriginOf(vtkIdType piece, int association, const double position[3])
+vtkRayTracedMapper::Origin
+vtkRayTracedTubeMapper::FindOrigin(vtkIdType piece, int association, const double position[3])
 {
-  vtkPolyData* lines = this->GetPolyData();
-  if (!lines || piece < 0 || piece >= this->GetNumberOfGlyphs())
-  {
-    return Origin();
-  }
   const glm::dvec3 place(position[0], position[1], position[2]);
   const auto distance = [&](vtkIdType point)
   {
     glm::dvec3 x;
-    lines->GetPoint(point, &x[0]);
+    this->GetPolyData()->GetPoint(point, &x[0]);
     return glm::distance(place, this->Placement(x));
   };
   const auto [first, last] = this->Ends[piece];
   const vtkIdType nearest = distance(last) < distance(first) ? last : first;
-  return this->Superclass::OriginOf(
-    nearest, this->OriginalIds[piece], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  return this->OriginOfPoint(nearest, this->OriginalIds[piece], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }

@@ -29,7 +29,6 @@ public:
   void SetDirectionColoring(int kind) { this->DirectionColoring = kind; }
 
   // vtkRayTracedMapper
-  Origin OriginOf(vtkIdType piece, int association, const double position[3]) override;
   int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
 protected:
@@ -40,6 +39,7 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
   void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
   void BuildColors(vtkPolyData* lines) override;
+  Origin FindOrigin(vtkIdType piece, int association, const double position[3]) override;
   std::vector<vtkMTimeType> ColorState() const override
   {
     return { static_cast<vtkMTimeType>(this->DirectionColoring) };
