@@ -60,12 +60,6 @@ void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreMeshes)
 }
 
 //----------------------------------------------------------------------------
-vtkDataObject* rtglyphs::GlyphMeshes::GetPiece() const
-{
-  return this->Piece;
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::GlyphMeshes::SetDelivered(vtkDataObject* piece)
 {
   auto* outer = vtkMultiBlockDataSet::SafeDownCast(piece);

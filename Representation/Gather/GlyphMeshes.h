@@ -36,7 +36,7 @@ public:
    * The gathered meshes, for the view. In a composite, because data of several ranks that are put together do not stay
    * apart otherwise.
    */
-  vtkDataObject* GetPiece() const;
+  vtkDataObject* GetPiece() const { return this->Piece; }
 
   /**
    * The meshes are those of a piece that the view has delivered (may be null), until the next Gather().

@@ -72,12 +72,6 @@ void vtkRayTracedGlyphMapper::SetSettings(const rtglyphs::GlyphSettings& setting
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphMapper::SetTensorTable(vtkScalarsToColors* table)
-{
-  this->TensorTable = table;
-}
-
-//----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* points) const
 {
   const std::vector<vtkDataArray*> arrays = rtglyphs::GlyphArrays::All(points, this->Settings.Effective());

@@ -33,7 +33,7 @@ public:
    * The table that numbers of tensors (GlyphTensors::IsNumber) and radii of polynomials are colored by, which
    * RayTracedTensorTable chooses; and of GlyphTensors::EIGENVALUES the range.
    */
-  void SetTensorTable(vtkScalarsToColors* table);
+  void SetTensorTable(vtkScalarsToColors* table) { this->TensorTable = table; }
   void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
   const std::array<double, 2>& GetTensorRange() const { return this->TensorRange; }
   ///@}

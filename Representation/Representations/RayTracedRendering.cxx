@@ -29,12 +29,6 @@ struct ScreenshotState : vtkPVRenderView
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedRendering::Shown::Shown(RayTracedBlocks& blocks)
-  : Blocks(blocks)
-{
-}
-
-//----------------------------------------------------------------------------
 rtglyphs::RayTracedRendering::RayTracedRendering(Owner owner, RayTracedCommon& common)
   : From(std::move(owner))
   , Common(common)

@@ -95,7 +95,10 @@ public:
 private:
   struct Shown
   {
-    explicit Shown(RayTracedBlocks& blocks);
+    explicit Shown(RayTracedBlocks& blocks)
+      : Blocks(blocks)
+    {
+    }
     RayTracedBlocks& Blocks;
     GlyphBounds Bounds;
     vtkNew<vtkCompositeDataDisplayAttributes> Attributes; // of Data's blocks, as they were at Time

@@ -182,12 +182,6 @@ bool rtglyphs::RayTracedDisplays::Shows(int pass) const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedDisplays::ShowsAnything() const
-{
-  return std::any_of(this->All.begin(), this->All.end(), [](const Display& display) { return display.Shown; });
-}
-
-//----------------------------------------------------------------------------
 bool rtglyphs::RayTracedDisplays::AnyVisible() const
 {
   return std::any_of(this->All.begin(), this->All.end(),

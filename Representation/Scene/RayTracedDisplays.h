@@ -78,7 +78,7 @@ public:
    * Whether a pass (of rtg::Pass), or any, has something to draw.
    */
   bool Shows(int pass) const;
-  bool ShowsAnything() const;
+  bool ShowsAnything() const { return this->Shows(0) || this->Shows(1); }
 
   /**
    * Whether any display is visible, with or without data in this process.

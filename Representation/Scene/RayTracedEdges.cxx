@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 namespace
 {
@@ -47,10 +46,7 @@ template <class Item>
 std::vector<Item> ItemsOf(const std::vector<char>& bytes)
 {
   std::vector<Item> items(bytes.size() / sizeof(Item));
-  if (!items.empty())
-  {
-    std::memcpy(items.data(), bytes.data(), items.size() * sizeof(Item));
-  }
+  std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(items.data()));
   return items;
 }
 
@@ -109,12 +105,6 @@ void rtglyphs::RayTracedEdges::Draw(
     }
     this->Quad.Draw(renderer, actor, mapper, rtglyphs::RayTracedImageQuad::BLEND);
   }
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedEdges::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Quad.ReleaseGraphicsResources(window);
 }
 
 //----------------------------------------------------------------------------

@@ -46,7 +46,7 @@ public:
   void Draw(
     const rtg::Image* image, vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
-  void ReleaseGraphicsResources(vtkWindow* window);
+  void ReleaseGraphicsResources(vtkWindow* window) { this->Quad.ReleaseGraphicsResources(window); }
 
 private:
   void Forget();

@@ -10,7 +10,6 @@
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
 
-#include <algorithm>
 #include <utility>
 
 namespace
@@ -87,12 +86,6 @@ void rtglyphs::RayTracedFrameStatus::SetFrame(Frame frame, bool collective)
   this->Eye = frame.Eye;
   this->Progress[frame.Eye] = frame.Progress;
   this->Samples[frame.Eye] = frame.Samples;
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedFrameStatus::Finish()
-{
-  std::fill_n(this->Progress, 2, 1.0);
 }
 
 //----------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef RayTracedFrameStatus_h
 #define RayTracedFrameStatus_h
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ public:
   /**
    * Nothing is waited for any more.
    */
-  void Finish();
+  void Finish() { std::fill_n(this->Progress, 2, 1.0); }
 
   /**
    * The work that an unfinished frame waits for.

@@ -196,9 +196,3 @@ void rtglyphs::RayTracedPicker::DrawIds(const rtglyphs::RayTracedDisplays& displ
   }
   selector->EndRenderProp();
 }
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedPicker::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Quad.ReleaseGraphicsResources(window);
-}

@@ -42,7 +42,7 @@ public:
   static bool PlaceAt(const RayTracedDisplays& displays, RayTracedImages& images, vtkRenderer* renderer, int x, int y,
     double place[3], const Failed& failed);
 
-  void ReleaseGraphicsResources(vtkWindow* window);
+  void ReleaseGraphicsResources(vtkWindow* window) { this->Quad.ReleaseGraphicsResources(window); }
 
 private:
   static std::vector<const rtg::Image*> ImagesWithIds(const RayTracedDisplays& displays, RayTracedImages& images,

@@ -77,12 +77,6 @@ void rtglyphs::RayTracedProgress::EndFrame()
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedProgress::Start()
-{
-  this->Begin = std::chrono::steady_clock::now();
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::RayTracedProgress::Report(const char* text, double share)
 {
   if (std::chrono::steady_clock::now() - this->Begin < quiet)

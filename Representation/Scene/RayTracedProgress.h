@@ -37,7 +37,7 @@ public:
   /**
    * Work begins, without progress yet.
    */
-  void Start();
+  void Start() { this->Begin = std::chrono::steady_clock::now(); }
 
   /**
    * The fraction `share` in [0, 1] of the work that `text` names is done.
