@@ -146,13 +146,13 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
   glyph.Size = this->Settings.ScaleFactor * this->Settings.UnitSize * this->Scale(point, tuples);
   if (const rtglyphs::GlyphTensors* tensors = this->GetTensors(); tensors && this->Settings.Tensors.Axes)
   {
-    double axis[3];
+    glm::dvec3 axis;
     if (!tensors->Axis(point, axis))
     {
       return NOT_SHOWN; // nothing to show is no fault
     }
     glyph.Size *= this->Settings.Sizing(tensors->Extent(point));
-    rtglyphs::GlyphPlacement::RotationFromTuple(axis, rtglyphs::GlyphSettings::DIRECTION, glyph.Rotation);
+    rtglyphs::GlyphPlacement::RotationFromTuple(&axis.x, rtglyphs::GlyphSettings::DIRECTION, glyph.Rotation);
   }
   else if (tensors)
   {

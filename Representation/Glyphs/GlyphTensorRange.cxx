@@ -91,10 +91,11 @@ double rtglyphs::GlyphTensorRange::NegativeFraction(vtkPolyData* points, const r
         points->GetNumberOfPoints(), glm::dvec2(0.0),
         [&](vtkIdType begin, vtkIdType end, glm::dvec2& own)
         {
-          glm::dvec3 values;
+          rtg::Eigensystem eigen;
           for (vtkIdType point = begin; point < end; ++point)
           {
-            const bool good = all.Eigenvalues(point, values);
+            const bool good = all.Decompose(point, eigen);
+            const glm::dvec3& values = eigen.values;
             own[0] += good && values.z < -rounding * std::max(std::abs(values.x), std::abs(values.z)) ? 1.0 : 0.0;
             own[1] += good ? 1.0 : 0.0;
           }

@@ -73,6 +73,44 @@ double Tensor::*PlaceOf(std::string index)
     : index == "xz"    ? &Tensor::xz
                        : nullptr;
 }
+
+// By bisection: where a cumulative distribution, which rises from 0, has this value.
+template <typename Distribution>
+double Quantile(double high, double share, const Distribution& distribution)
+{
+  double low = 0.0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (distribution(middle) < share ? low : high) = middle;
+  }
+  return high;
+}
+
+// What fraction of a Gaussian lies within so many standard deviations.
+double Within(double r)
+{
+  return std::erf(r / std::sqrt(2.0));
+}
+
+// By Cardano's formula: the eigenvalue of the largest magnitude is one of the two at the ends, and well conditioned.
+double LargestEigenvalue(const rtg::SymmetricTensor& t)
+{
+  const double mean = (t.xx + t.yy + t.zz) / 3.0;
+  const double a = t.xx - mean, b = t.yy - mean, c = t.zz - mean;
+  const double off = t.xy * t.xy + t.yz * t.yz + t.xz * t.xz;
+  const double p = std::sqrt((a * a + b * b + c * c + 2.0 * off) / 6.0);
+  if (!(p > 0.0))
+  {
+    return std::abs(mean);
+  }
+  const double determinant =
+    a * (b * c - t.yz * t.yz) - t.xy * (t.xy * c - t.yz * t.xz) + t.xz * (t.xy * t.yz - b * t.xz);
+  const double angle = std::acos(std::clamp(0.5 * determinant / (p * p * p), -1.0, 1.0)) / 3.0;
+  const double highest = mean + 2.0 * p * std::cos(angle);
+  const double lowest = mean + 2.0 * p * std::cos(angle + 2.0943951023931953);
+  return std::max(std::abs(highest), std::abs(lowest));
+}
 }
 
 //----------------------------------------------------------------------------
@@ -189,28 +227,6 @@ rtglyphs::GlyphTensors::GlyphTensors(
       });
 }
 
-namespace
-{
-// By bisection: where a cumulative distribution, which rises from 0, has this value.
-template <typename Distribution>
-double Quantile(double high, double share, const Distribution& distribution)
-{
-  double low = 0.0;
-  for (int i = 0; i < 60; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (distribution(middle) < share ? low : high) = middle;
-  }
-  return high;
-}
-
-// What fraction of a Gaussian lies within so many standard deviations.
-double Within(double r)
-{
-  return std::erf(r / std::sqrt(2.0));
-}
-}
-
 //----------------------------------------------------------------------------
 double rtglyphs::GlyphTensors::RadiusOf(double confidence)
 {
@@ -263,36 +279,14 @@ bool rtglyphs::GlyphTensors::ConeOf(
   return true;
 }
 
-namespace
-{
-// By Cardano's formula: the eigenvalue of the largest magnitude is one of the two at the ends, and well conditioned.
-double LargestEigenvalue(const rtg::SymmetricTensor& t)
-{
-  const double mean = (t.xx + t.yy + t.zz) / 3.0;
-  const double a = t.xx - mean, b = t.yy - mean, c = t.zz - mean;
-  const double off = t.xy * t.xy + t.yz * t.yz + t.xz * t.xz;
-  const double p = std::sqrt((a * a + b * b + c * c + 2.0 * off) / 6.0);
-  if (!(p > 0.0))
-  {
-    return std::abs(mean);
-  }
-  const double determinant =
-    a * (b * c - t.yz * t.yz) - t.xy * (t.xy * c - t.yz * t.xz) + t.xz * (t.xy * t.yz - b * t.xz);
-  const double angle = std::acos(std::clamp(0.5 * determinant / (p * p * p), -1.0, 1.0)) / 3.0;
-  const double highest = mean + 2.0 * p * std::cos(angle);
-  const double lowest = mean + 2.0 * p * std::cos(angle + 2.0943951023931953);
-  return std::max(std::abs(highest), std::abs(lowest));
-}
-}
-
 //----------------------------------------------------------------------------
 double rtglyphs::GlyphTensors::Extent(vtkIdType point) const
 {
   double extent = 0.0;
   if (this->How.Axes)
   {
-    double axis[3];
-    extent = this->Axis(point, axis) ? std::hypot(axis[0], axis[1], axis[2]) : 0.0;
+    glm::dvec3 axis;
+    extent = this->Axis(point, axis) ? std::hypot(axis.x, axis.y, axis.z) : 0.0;
   }
   else
   {
@@ -311,7 +305,7 @@ double rtglyphs::GlyphTensors::Extent(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphTensors::Axis(vtkIdType point, double axis[3]) const
+bool rtglyphs::GlyphTensors::Axis(vtkIdType point, glm::dvec3& axis) const
 {
   if (this->Tensors->GetNumberOfComponents() != 9)
   {
@@ -319,8 +313,7 @@ bool rtglyphs::GlyphTensors::Axis(vtkIdType point, double axis[3]) const
   }
   double matrix[9];
   this->Tensors->GetTuple(point, matrix);
-  const glm::dvec3 w = rtg::AntisymmetricAxis(matrix);
-  double largest = 0.0, longest = 0.0;
+  double largest = 0.0;
   for (double component : matrix)
   {
     if (!std::isfinite(component))
@@ -329,12 +322,8 @@ bool rtglyphs::GlyphTensors::Axis(vtkIdType point, double axis[3]) const
     }
     largest = std::max(largest, std::abs(component));
   }
-  for (int i = 0; i < 3; ++i)
-  {
-    axis[i] = w[i];
-    longest = std::max(longest, std::abs(w[i]));
-  }
-  return longest > 1e-6 * largest && std::isfinite(w.x + w.y + w.z);
+  axis = rtg::AntisymmetricAxis(matrix);
+  return rtglyphs::GlyphSizing::Largest(axis) > 1e-6 * largest && std::isfinite(axis.x + axis.y + axis.z);
 }
 
 //----------------------------------------------------------------------------
@@ -369,14 +358,14 @@ rtglyphs::GlyphOutcomes::Outcome rtglyphs::GlyphTensors::Glyph(vtkIdType point, 
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphTensors::Eigenvalues(vtkIdType point, glm::dvec3& values) const
+bool rtglyphs::GlyphTensors::Decompose(vtkIdType point, rtg::Eigensystem& eigen) const
 {
   const rtg::SymmetricTensor tensor = this->Tensor(point);
   if (!tensor.IsFinite() || tensor.IsZero())
   {
     return false;
   }
-  values = rtg::Decompose(tensor).values;
+  eigen = rtg::Decompose(tensor);
   return true;
 }
 
@@ -389,11 +378,12 @@ bool rtglyphs::GlyphTensors::Number(vtkIdType point, double& value) const
     value = tensor.xx + tensor.yy + tensor.zz;
     return tensor.IsFinite() && !tensor.IsZero();
   }
-  glm::dvec3 values;
-  if (!this->Eigenvalues(point, values))
+  rtg::Eigensystem eigen;
+  if (!this->Decompose(point, eigen))
   {
     return false;
   }
+  const glm::dvec3& values = eigen.values;
   switch (this->How.Coloring)
   {
     case MAJOR_EIGENVALUE:
@@ -411,14 +401,12 @@ bool rtglyphs::GlyphTensors::Number(vtkIdType point, double& value) const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphTensors::PrincipalDirection(vtkIdType point, glm::dvec3& direction) const
+glm::dvec3 rtglyphs::GlyphTensors::PrincipalDirection(vtkIdType point) const
 {
-  const rtg::SymmetricTensor tensor = this->Tensor(point);
-  if (!tensor.IsFinite() || tensor.IsZero())
+  rtg::Eigensystem eigen;
+  if (!this->Decompose(point, eigen))
   {
-    return false;
+    return glm::dvec3(0.0);
   }
-  const rtg::Eigensystem eigen = rtg::Decompose(tensor);
-  direction = std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
-  return true;
+  return std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
 }

@@ -163,7 +163,7 @@ public:
    * velocity gradient (row i, column j: d v_i / d x_j) the angular velocity, half the vorticity. False: there is none,
    * because A is symmetric to a millionth of its largest component, not finite, or given by six numbers.
    */
-  bool Axis(vtkIdType point, double axis[3]) const;
+  bool Axis(vtkIdType point, glm::dvec3& axis) const;
 
   /**
    * SHOWN, or why there is no glyph.
@@ -171,14 +171,14 @@ public:
   GlyphOutcomes::Outcome Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
 
   /**
-   * The unit eigenvector of the eigenvalue with the largest magnitude; false: the tensor is zero or not finite.
+   * Eigenvalues, largest first, in units of the tensor, and eigenvectors; false: the tensor is zero or not finite.
    */
-  bool PrincipalDirection(vtkIdType point, glm::dvec3& direction) const;
+  bool Decompose(vtkIdType point, rtg::Eigensystem& eigen) const;
 
   /**
-   * The eigenvalues, largest first, in units of the tensor; false as above.
+   * The unit eigenvector of the eigenvalue with the largest magnitude; zero where there is none.
    */
-  bool Eigenvalues(vtkIdType point, glm::dvec3& values) const;
+  glm::dvec3 PrincipalDirection(vtkIdType point) const;
 
   /**
    * The number of the coloring: the fractional anisotropy of the eigenvalues; or, in units of the tensor, the trace or

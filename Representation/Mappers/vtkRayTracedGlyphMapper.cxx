@@ -188,10 +188,11 @@ void vtkRayTracedGlyphMapper::EigenvaluesAsColor(
   const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
   const double range = std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
-  glm::dvec3 values;
-  for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
+  rtg::Eigensystem eigen;
+  const bool known = tensors.Decompose(point, eigen);
+  for (int i = 0; i < 3 && known; ++i)
   {
-    rgb[i] = range > 0.0 ? std::min(std::abs(values[i]) / range, 1.0) : 0.0;
+    rgb[i] = range > 0.0 ? std::min(std::abs(eigen.values[i]) / range, 1.0) : 0.0;
   }
 }
 
@@ -245,7 +246,7 @@ std::vector<std::array<double, 3>> vtkRayTracedGlyphMapper::DirectionsAsColors(
         glm::dvec3 direction(0.0);
         if (tensors)
         {
-          tensors->PrincipalDirection(point, direction);
+          direction = tensors->PrincipalDirection(point);
         }
         else if (turns.Has(point) && rtglyphs::GlyphPlacement::RotationFromTuple(turns.Get(point), mode, turn))
         {
