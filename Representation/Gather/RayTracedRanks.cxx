@@ -48,17 +48,6 @@ void CheckLength(std::size_t length)
   }
 }
 
-template <typename Value>
-void ReduceValues(std::vector<Value>& values, int operation)
-{
-  if (vtkMultiProcessController* controller = Controller())
-  {
-    const std::vector<Value> own = values;
-    Agree(true);
-    controller->AllReduce(own.data(), values.data(), static_cast<vtkIdType>(own.size()), operation);
-  }
-}
-
 // `ends` of what is each rank's.
 template <typename Value>
 std::vector<Value> GatherValues(const std::vector<Value>& own, std::vector<vtkIdType>& ends)
@@ -135,16 +124,18 @@ std::string rtglyphs::RayTracedRanks::Problem(const std::function<void()>& work)
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedRanks::Reduce(std::vector<double>& values, int operation)
+template <class Value>
+void rtglyphs::RayTracedRanks::Reduce(std::vector<Value>& values, int operation)
 {
-  ReduceValues(values, operation);
+  if (vtkMultiProcessController* controller = Controller())
+  {
+    const std::vector<Value> own = values;
+    Agree(true);
+    controller->AllReduce(own.data(), values.data(), static_cast<vtkIdType>(own.size()), operation);
+  }
 }
-
-//----------------------------------------------------------------------------
-void rtglyphs::RayTracedRanks::Reduce(std::vector<unsigned char>& values, int operation)
-{
-  ReduceValues(values, operation);
-}
+template void rtglyphs::RayTracedRanks::Reduce(std::vector<double>&, int);
+template void rtglyphs::RayTracedRanks::Reduce(std::vector<unsigned char>&, int);
 
 //----------------------------------------------------------------------------
 double rtglyphs::RayTracedRanks::Largest(double value)

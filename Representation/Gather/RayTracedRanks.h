@@ -44,8 +44,8 @@ std::string Problem(const std::function<void()>& work);
  * the values; the largest; the bounds of all; all values, one rank after another; the texts of each rank, none of which
  * is empty.
  */
-void Reduce(std::vector<double>& values, int operation);
-void Reduce(std::vector<unsigned char>& values, int operation);
+template <class Value> // double, unsigned char
+void Reduce(std::vector<Value>& values, int operation);
 double Largest(double value);
 vtkBoundingBox Union(const vtkBoundingBox& own);
 std::vector<double> Gather(const std::vector<double>& own);

@@ -65,14 +65,9 @@ public:
 
   std::size_t AddMesh(const std::string& name, rtg::TriangleMesh mesh)
   {
-    return this->AddMesh(name, std::make_shared<const rtg::TriangleMesh>(std::move(mesh)));
-  }
-
-  std::size_t AddMesh(const std::string& name, std::shared_ptr<const rtg::TriangleMesh> mesh)
-  {
     rtglyphs::GlyphTessellatedPart part;
     part.Name = name;
-    part.Mesh = std::move(mesh);
+    part.Mesh = std::make_shared<const rtg::TriangleMesh>(std::move(mesh));
     this->Set.Parts.push_back(std::move(part));
     return this->Set.Parts.size() - 1;
   }
@@ -121,7 +116,7 @@ public:
   void AddCapsules()
   {
     const std::size_t middle = this->AddMesh("Middle", rtglyphs::GlyphTessellation::CutCone(1.0, true));
-    const std::size_t end = this->AddMesh("End", rtglyphs::GlyphTessellation::HalfBall());
+    const std::size_t end = this->AddMesh("End", rtglyphs::GlyphTessellation::Sphere(/*half=*/true));
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
       const glm::vec3 size = this->All.SizeOf(glyph);
@@ -349,7 +344,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       assembly.AddArrows();
       break;
     case rtg::Shape::Mesh:
-      assembly.AddAll(assembly.AddMesh(shape, instances.mesh));
+      all(*instances.mesh);
       break;
     case rtg::Shape::Superquadric:
     case rtg::Shape::NestedSuperquadric:

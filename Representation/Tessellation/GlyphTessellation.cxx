@@ -86,16 +86,16 @@ void AddDisc(rtg::TriangleMesh& mesh, double x, double radius, double side)
   AddRevolution(mesh, side < 0.0 ? Section{ center, rim, normal, normal } : Section{ rim, center, normal, normal });
 }
 
-// Of a ball with this center on the x axis, the part with angles from +x between two.
-void AddBallPart(rtg::TriangleMesh& mesh, double center, double radius, double lowest, double highest)
+// Of a ball with this center on the x axis, the part with angles from +x up to one.
+void AddBallPart(rtg::TriangleMesh& mesh, double center, double radius, double highest)
 {
-  const int steps = std::max(1, static_cast<int>(std::ceil(fromPole * (highest - lowest) / pi)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(fromPole * highest / pi)));
   for (int k = 0; k < steps; ++k)
   {
     const auto at = [&](int step)
     {
-      const double angle = highest + (lowest - highest) * step / steps;
-      const bool pole = (step == 0 && highest == pi) || (step == steps && lowest == 0.0);
+      const double angle = highest - highest * step / steps;
+      const bool pole = (step == 0 && highest == pi) || step == steps;
       return glm::dvec2(std::cos(angle), pole ? 0.0 : std::sin(angle));
     };
     const glm::dvec2 from = at(k), to = at(k + 1);
@@ -138,18 +138,10 @@ rtg::TriangleMesh ClosedSurface(int facets, const std::function<Corner(const glm
 }
 
 //----------------------------------------------------------------------------
-rtg::TriangleMesh rtglyphs::GlyphTessellation::Sphere()
+rtg::TriangleMesh rtglyphs::GlyphTessellation::Sphere(bool half)
 {
   rtg::TriangleMesh mesh;
-  AddBallPart(mesh, 0.0, 0.5, 0.0, pi);
-  return mesh;
-}
-
-//----------------------------------------------------------------------------
-rtg::TriangleMesh rtglyphs::GlyphTessellation::HalfBall()
-{
-  rtg::TriangleMesh mesh;
-  AddBallPart(mesh, 0.0, 0.5, 0.0, 0.5 * pi);
+  AddBallPart(mesh, 0.0, 0.5, half ? 0.5 * pi : pi);
   return mesh;
 }
 
@@ -236,7 +228,7 @@ rtg::TriangleMesh rtglyphs::GlyphTessellation::ArrowHead(const rtg::ArrowForm& f
   const glm::dvec2 side =
     glm::dvec2(tangent * radius - a * center, a * radius + tangent * center) / (radius * radius + center * center);
   AddRevolution(mesh, { { -height, radius }, glm::dvec2(-a, 0.0) + a * side, side, side });
-  AddBallPart(mesh, -a, a, 0.0, std::atan2(side.y, side.x));
+  AddBallPart(mesh, -a, a, std::atan2(side.y, side.x));
   return mesh;
 }
 

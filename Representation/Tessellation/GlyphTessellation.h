@@ -12,15 +12,13 @@
 namespace rtglyphs::GlyphTessellation
 {
 ///@{
-/// The unit glyphs of the same name. The parts that capsules and arrows consist of follow.
-rtg::TriangleMesh Sphere();
+/// The unit glyphs of the same name; of a sphere also the half toward +x, open at x = 0. The parts that capsules and
+/// arrows consist of follow.
+rtg::TriangleMesh Sphere(bool half = false);
 rtg::TriangleMesh Box();
 rtg::TriangleMesh Cylinder();
 rtg::TriangleMesh Cone();
 ///@}
-
-/// Half a ball of diameter 1 around the origin, its disc, which is left open, at x = 0, toward +x.
-rtg::TriangleMesh HalfBall();
 
 /// A cone around the x axis of radius 1 at 0 and `ratio` at 1, of ratio 1 a cylinder; `open`: without its discs.
 rtg::TriangleMesh CutCone(double ratio, bool open);
