@@ -10,7 +10,6 @@
 #include "vtkCollectionRange.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVRenderView.h"
 #include "vtkPoints.h"
 #include "vtkRenderer.h"
 #include "vtkViewport.h"
@@ -67,26 +66,6 @@ void vtkGlyphLegend::SetGlyphs(const rtglyphs::GlyphSettings& settings, double s
   this->Scale = scale;
   this->Name = name;
   this->Mesh = mesh;
-}
-
-//----------------------------------------------------------------------------
-void vtkGlyphLegend::AddTo(vtkPVRenderView* view)
-{
-  this->Superclass::AddTo(view);
-  for (vtkObject* actor : vtk::Range(view->GetRenderer()->GetActors()))
-  {
-    if (actor->IsA("vtkPVCenterAxesActor"))
-    {
-      this->Center = static_cast<vtkActor*>(actor);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
-void vtkGlyphLegend::RemoveFrom(vtkPVRenderView* view)
-{
-  this->Superclass::RemoveFrom(view);
-  this->Center = nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -171,9 +150,12 @@ double vtkGlyphLegend::PixelsPerLength(vtkViewport* viewport) const
   camera->GetPosition(&eye.x);
   camera->GetDirectionOfProjection(&axis.x);
   camera->GetFocalPoint(&center.x);
-  if (this->Center)
+  for (vtkObject* actor : vtk::Range(this->Scene->GetActors()))
   {
-    this->Center->GetPosition(&center.x);
+    if (actor->IsA("vtkPVCenterAxesActor")) // what ParaView shows at the center of rotation
+    {
+      static_cast<vtkActor*>(actor)->GetPosition(&center.x);
+    }
   }
   const double depth = glm::dot(center - eye, axis);
   const double halfAngle = 0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle());

@@ -16,9 +16,6 @@
 #include <array>
 #include <string>
 
-class vtkActor;
-class vtkPVRenderView;
-
 class vtkGlyphLegend : public vtkRayTracedLegend
 {
 public:
@@ -37,9 +34,6 @@ public:
    * The number; 0: one that fits.
    */
   void SetValue(double value) { this->Value = value; }
-
-  void AddTo(vtkPVRenderView* view) override;
-  void RemoveFrom(vtkPVRenderView* view) override;
 
 protected:
   vtkGlyphLegend() = default;
@@ -63,7 +57,6 @@ private:
   double Largest = 0.0;
   std::string Name;
   double Value = 0.0;
-  vtkActor* Center = nullptr; // what ParaView shows at the center of rotation; lives as long as the view
 };
 
 #endif

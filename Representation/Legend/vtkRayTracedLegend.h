@@ -52,8 +52,8 @@ public:
   /**
    * Among what `view` draws over its picture, on the process that shows it.
    */
-  virtual void AddTo(vtkPVRenderView* view);
-  virtual void RemoveFrom(vtkPVRenderView* view);
+  void AddTo(vtkPVRenderView* view);
+  void RemoveFrom(vtkPVRenderView* view);
   ///@}
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
@@ -75,6 +75,7 @@ protected:
   int Place = NONE;
   vtkNew<vtkPolyData> Drawing;
   vtkNew<vtkActor2D> Actor;
+  vtkWeakPointer<vtkRenderer> Scene; // behind the legend
 
 private:
   void Arrange(vtkViewport* viewport);
@@ -83,7 +84,6 @@ private:
 
   vtkNew<vtkPolyDataMapper2D> Mapper;
   vtkNew<vtkTextActor> Text;
-  vtkWeakPointer<vtkRenderer> Scene; // behind the legend
   bool Shows = false;
   Box Covered{}; // while it shows
 };
