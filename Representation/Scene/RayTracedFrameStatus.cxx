@@ -10,6 +10,7 @@
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -81,11 +82,8 @@ void rtglyphs::RayTracedFrameStatus::SetFrame(Frame frame, bool collective)
     frame.Progress = least[0];
     frame.Samples = least[1];
   }
-  this->Compiling = frame.Compiling;
-  this->Stereo = frame.Stereo;
   this->Eye = frame.Eye;
-  this->Progress[frame.Eye] = frame.Progress;
-  this->Samples[frame.Eye] = frame.Samples;
+  this->Eyes[frame.Eye] = frame;
 }
 
 //----------------------------------------------------------------------------
@@ -116,14 +114,15 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
     numbers = this->SummedNumbers;
   }
   const auto count = [&](std::size_t number) { return static_cast<std::uint64_t>(numbers[number]); };
-  const auto least = [this](const double* ofEyes)
-  { return this->Stereo ? std::min(ofEyes[0], ofEyes[1]) : ofEyes[this->Eye]; };
-  const double progress = least(this->Progress);
+  const Frame& last = this->Eyes[this->Eye];
+  const auto least = [&](double Frame::*number)
+  { return last.Stereo ? std::min(this->Eyes[0].*number, this->Eyes[1].*number) : last.*number; };
+  const double progress = least(&Frame::Progress);
   nlohmann::ordered_json json = {
     { "DeviceName", images.GetDeviceName() },
-    { "AccumulatedSamples", static_cast<int>(least(this->Samples)) },
+    { "AccumulatedSamples", static_cast<int>(least(&Frame::Samples)) },
     { "RefinementProgress", progress },
-    { "RefinementStep", this->Compiling || progress < 1.0 ? NameOfStep(this->Compiling) : "" },
+    { "RefinementStep", last.Compiling || progress < 1.0 ? NameOfStep(last.Compiling) : "" },
     { "pulls", ++this->Pulls },
     { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
     { "neighborBytes", count(NEIGHBOR_BYTES) },

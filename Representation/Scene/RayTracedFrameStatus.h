@@ -5,7 +5,6 @@
 #ifndef RayTracedFrameStatus_h
 #define RayTracedFrameStatus_h
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,7 +38,7 @@ public:
   /**
    * Nothing is waited for any more.
    */
-  void Finish() { std::fill_n(this->Progress, 2, 1.0); }
+  void Finish() { this->Eyes[0].Progress = this->Eyes[1].Progress = 1.0; }
 
   /**
    * The work that an unfinished frame waits for.
@@ -64,12 +63,8 @@ public:
   std::string GetStatistics(const RayTracedDisplays& displays, const RayTracedImages& images);
 
 private:
-  // Of each eye.
-  double Progress[2] = { 1.0, 1.0 };
-  double Samples[2] = { 0.0, 0.0 };
-  bool Compiling = false;
-  bool Stereo = false;
-  int Eye = 0; // of the last frame
+  Frame Eyes[2]; // the last frame of each
+  int Eye = 0;   // of the last frame
   // The view's numbers, then those of each display, of the last frame that ranks rendered together; or none.
   std::vector<double> SummedNumbers;
   std::uint64_t Pulls = 0; // of the statistics

@@ -147,12 +147,6 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
   {
     return;
   }
-
-  this->Color->Activate();
-  this->Depth->Activate();
-  quad->Program->SetUniformi("imageColor", this->Color->GetTextureUnit());
-  quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
-  quad->Program->SetUniform2f("depthMap", this->DepthMap);
   if (surface)
   {
     SetClipToView(quad->Program, renderer);
@@ -191,7 +185,7 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
 }
 
 //----------------------------------------------------------------------------
-// Null where the shader does not compile; VTK has then reported the compiler's messages.
+// With the image as its input. Null where the shader does not compile; VTK has then reported the compiler's messages.
 vtkOpenGLQuadHelper* rtglyphs::RayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragment)
 {
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragment];
@@ -199,11 +193,17 @@ vtkOpenGLQuadHelper* rtglyphs::RayTracedImageQuad::Ready(vtkOpenGLRenderWindow* 
   {
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragment.c_str(), nullptr);
   }
-  if (quad->Program)
+  if (!quad->Program)
   {
-    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+    return nullptr;
   }
-  return quad->Program ? quad.get() : nullptr;
+  window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  this->Color->Activate();
+  this->Depth->Activate();
+  quad->Program->SetUniformi("imageColor", this->Color->GetTextureUnit());
+  quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
+  quad->Program->SetUniform2f("depthMap", this->DepthMap);
+  return quad.get();
 }
 
 //----------------------------------------------------------------------------
@@ -215,12 +215,7 @@ void rtglyphs::RayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObj
   {
     return;
   }
-  this->Color->Activate();
-  this->Depth->Activate();
   pixels->Activate();
-  quad->Program->SetUniformi("imageColor", this->Color->GetTextureUnit());
-  quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
-  quad->Program->SetUniform2f("depthMap", this->DepthMap);
   quad->Program->SetUniformi("pixels", pixels->GetTextureUnit());
   vtkOpenGLState* state = window->GetState();
   state->Push();

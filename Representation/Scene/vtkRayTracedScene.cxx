@@ -222,18 +222,12 @@ void vtkRayTracedScene::Stop()
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::Report(const std::string& message)
+// A message about the same `what`, which is its text unless it is given, as the last one is not repeated.
+void vtkRayTracedScene::Report(const std::string& message, std::string what)
 {
-  this->Report(message, message);
-}
-
-//----------------------------------------------------------------------------
-// A message about the same `what` as the last one is not repeated.
-void vtkRayTracedScene::Report(const std::string& message, const std::string& what)
-{
-  if (this->Self->Reported != what)
+  what = what.empty() ? message : what;
+  if (std::exchange(this->Self->Reported, what) != what)
   {
-    this->Self->Reported = what;
     vtkErrorMacro(<< message);
   }
 }

@@ -146,8 +146,7 @@ private:
   void DisableFXAA();
   void StartFrame();
   void EndFrame();
-  void Report(const std::string& message);
-  void Report(const std::string& message, const std::string& what);
+  void Report(const std::string& message, std::string what = {});
   void ReportFailure(const rtg::ProgressiveImage& image);
   void CheckImage(const rtg::ProgressiveImage& image, bool failed);
   void ExchangeEdges();
