@@ -85,7 +85,8 @@ std::vector<vtkDataArray*> AddArrays(vtkDataObject* tree, const char* name, int 
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphSteps::SetTrailSteps(int steps)
 {
-  return std::exchange(this->TrailSteps, std::max(steps, 0)) != this->TrailSteps;
+  steps = std::max(steps, 0);
+  return std::exchange(this->TrailSteps, steps) != steps;
 }
 
 //----------------------------------------------------------------------------
@@ -339,10 +340,4 @@ void rtglyphs::GlyphSteps::AddMessage(const std::string& message, const std::str
   {
     this->Message += (this->Message.empty() ? "" : " ") + message;
   }
-}
-
-//----------------------------------------------------------------------------
-std::string rtglyphs::GlyphSteps::TakeMessage()
-{
-  return std::exchange(this->Message, std::string());
 }

@@ -27,6 +27,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAlgorithm;
@@ -70,7 +71,7 @@ public:
   /**
    * Warnings about the last step that were not returned before, with remedies; or empty.
    */
-  std::string TakeMessage();
+  std::string TakeMessage() { return std::exchange(this->Message, {}); }
 
   /**
    * The time between the last two steps; 0: there was one at most.
