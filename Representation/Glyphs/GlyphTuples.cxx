@@ -15,12 +15,6 @@ namespace
 {
 using Settings = rtglyphs::GlyphSettings;
 
-// Index of the first of the lengths of orientation tuples that a mode takes.
-int ModeFrom(int mode)
-{
-  return mode == Settings::DIRECTION ? 0 : mode == Settings::ROTATION ? 1 : mode == Settings::QUATERNION ? 2 : 3;
-}
-
 // A row of the table of arrays.
 struct Description
 {
@@ -47,7 +41,8 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
       {
         return std::vector<int>{ 2, 3 };
       }
-      return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
+      const int first = settings.OrientationMode; // that it takes
+      return std::vector<int>(all.begin() + first, all.end());
     },
     "SelectOrientationVectors", "the glyphs are not rotated", "have glyphs that are not rotated" },
   { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },

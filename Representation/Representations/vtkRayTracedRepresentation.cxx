@@ -121,7 +121,13 @@ int vtkRayTracedRepresentation::RequestData(
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     : nullptr;
   rtg::Stopwatch watch;
-  vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
+  // Placeholder on processes without data: of the type that is received.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  const int emptyType = this->PlaceHolderDataType;
+#else
+  const int emptyType = VTK_MULTIBLOCK_DATA_SET;
+#endif
+  vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(emptyType));
   rtglyphs::GlyphSteps& steps = this->Common.Time.Steps;
   bool again = false;
   const bool good = this->WithinMemory(
@@ -190,17 +196,6 @@ void vtkRayTracedRepresentation::Gather(vtkDataObject* input, const int* wholeEx
             data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
         });
     });
-}
-
-//----------------------------------------------------------------------------
-// Placeholder on processes without data: of the type that is received.
-int vtkRayTracedRepresentation::EmptyType() const
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  return this->PlaceHolderDataType;
-#else
-  return VTK_MULTIBLOCK_DATA_SET;
-#endif
 }
 
 //----------------------------------------------------------------------------

@@ -305,7 +305,6 @@ private:
   rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what); // to ParaView's progress bar
   void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
   void Gather(vtkDataObject* input, const int* wholeExtent);
-  int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
 

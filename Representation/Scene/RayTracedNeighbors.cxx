@@ -5,6 +5,8 @@
 #include "RayTracedRanks.h"
 #include "vtkCommunicator.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <cstring>
 
 namespace
@@ -25,17 +27,6 @@ void Append(std::vector<char>& message, int display, const std::vector<char>& by
     message.insert(message.end(), first, first + sizeof(header));
     message.insert(message.end(), bytes.begin(), bytes.end());
   }
-}
-
-// A box as six numbers; that of nothing has lower ends above its upper ones.
-std::vector<double> NumbersOf(const rtg::DoubleBox& box)
-{
-  return { box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z };
-}
-
-rtg::DoubleBox BoxOf(const double* numbers)
-{
-  return { { numbers[0], numbers[1], numbers[2] }, { numbers[3], numbers[4], numbers[5] } };
 }
 }
 
@@ -91,11 +82,13 @@ void rtglyphs::RayTracedNeighbors::SendNear(const std::vector<Shown>& sets)
     boxes.push_back(rtg::GlyphBoxes(*set.Instances));
     bounds.Include(rtg::BoundsOf(*set.Instances, boxes.back()));
   }
-  const std::vector<double> all = rtglyphs::RayTracedRanks::Gather(NumbersOf(bounds));
+  const auto& [low, high] = bounds; // of nothing with lower ends above the upper ones
+  const std::vector<double> own{ low.x, low.y, low.z, high.x, high.y, high.z };
+  const std::vector<double> all = rtglyphs::RayTracedRanks::Gather(own);
   std::vector<std::vector<char>> messages(rtglyphs::RayTracedRanks::Count());
   for (int to = 0; to < rtglyphs::RayTracedRanks::Count(); ++to)
   {
-    const rtg::DoubleBox region = BoxOf(&all[6 * to]);
+    const rtg::DoubleBox region{ glm::make_vec3(&all[6 * to]), glm::make_vec3(&all[6 * to + 3]) };
     for (std::size_t i = 0; to != rtglyphs::RayTracedRanks::Own() && !region.Empty() && i < sets.size(); ++i)
     {
       Append(messages[to], sets[i].Display,
