@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <iterator>
 #include <sstream>
-#include <utility>
 
 namespace
 {

@@ -14,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedIntArray.h"
 

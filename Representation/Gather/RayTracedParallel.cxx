@@ -4,7 +4,6 @@
 
 #include "vtkSMPTools.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <thread>

@@ -1,7 +1,6 @@
 #include "GlyphBounds.h"
 
 #include "Finite.h"
-#include "GlyphBoxes.h"
 #include "GlyphMotion.h"
 #include "RayTracedParallel.h"
 #include "Stopwatch.h"

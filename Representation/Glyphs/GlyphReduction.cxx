@@ -2,7 +2,6 @@
 
 #include "Finite.h"
 #include "GlyphBounds.h"
-#include "GlyphTuples.h"
 #include "Parallel.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"

@@ -5,7 +5,6 @@
 #include "RayTracedNumbers.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace rtglyphs::RayTracedNumbers;
 

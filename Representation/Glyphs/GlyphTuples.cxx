@@ -1,13 +1,11 @@
 #include "GlyphTuples.h"
 
 #include "RayTracedArrays.h"
-#include "RayTracedBlocks.h"
 #include "RayTracedParallel.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 

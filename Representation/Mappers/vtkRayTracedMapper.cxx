@@ -22,7 +22,6 @@
 
 #include <glm/packing.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <regex>

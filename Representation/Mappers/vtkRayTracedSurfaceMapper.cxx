@@ -1,6 +1,5 @@
 #include "vtkRayTracedSurfaceMapper.h"
 
-#include "GlyphMotion.h"
 #include "RayTracedParallel.h"
 #include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"

@@ -16,13 +16,11 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
-#include <algorithm>
 #include <new>
 #include <utility>
 

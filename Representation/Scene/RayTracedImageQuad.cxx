@@ -9,7 +9,6 @@
 #include "vtkInformation.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"

@@ -12,7 +12,6 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include <cstdint>
 #include <vector>
 
 namespace
