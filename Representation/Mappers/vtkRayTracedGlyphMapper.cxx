@@ -52,7 +52,7 @@ void vtkRayTracedGlyphMapper::SetSettings(const rtglyphs::GlyphSettings& setting
   {
     triangles.reset();
   }
-  else if (!triangles || mesh != this->Mesh || time != this->MeshTime)
+  else if (!triangles || time != this->MeshTime)
   {
     auto built = std::make_shared<rtg::TriangleMesh>();
     if (mesh)
@@ -65,7 +65,6 @@ void vtkRayTracedGlyphMapper::SetSettings(const rtglyphs::GlyphSettings& setting
       triangles = std::move(built);
     }
   }
-  this->Mesh = mesh;
   this->MeshTime = time;
   this->Settings = settings;
   this->Settings.Mesh = std::move(triangles);

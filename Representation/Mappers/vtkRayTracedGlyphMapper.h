@@ -12,7 +12,6 @@
 #include "GlyphSettings.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
 class vtkDoubleArray;
 
@@ -66,8 +65,7 @@ private:
   rtglyphs::GlyphSettings Settings;
   rtglyphs::GlyphSettings BuiltSettings; // the effective ones
   glm::dmat3 Placed{ 1.0 };              // by the actor's matrix
-  vtkWeakPointer<vtkPolyData> Mesh;      // that Settings.Mesh was made of
-  vtkMTimeType MeshTime = 0;
+  vtkMTimeType MeshTime = 0;             // of what Settings.Mesh was made of; no two are alike
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
   std::vector<float> Radii;                            // as GlyphInstanceBuilder has them

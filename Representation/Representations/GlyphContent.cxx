@@ -216,12 +216,8 @@ void rtglyphs::GlyphContent::UpdateDataSizes(vtkPolyData* points)
   if (this->Legend->IsOn())
   {
     settings.Frame = settings.Frame == GlyphFrame::Split ? GlyphFrame::Vector : settings.Frame; // magnitudes themselves
-    rtglyphs::RayTracedRanks::Together(
-      [&]()
-      {
-        const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
-        largest = magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end());
-      });
+    const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
+    largest = magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end());
     largest = rtglyphs::RayTracedRanks::Largest(largest);
   }
   summary[MESH_WIDTH] = sides.x;

@@ -1,6 +1,7 @@
 #include "TubeContent.h"
 
 #include "RayTracedSurfaceGatherer.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkRayTracedTubeMapper.h"
 
@@ -43,22 +44,18 @@ rtglyphs::GlyphSettings rtglyphs::TubeContent::GetSizes(vtkPolyData* lines, doub
 // Called at each render.
 double rtglyphs::TubeContent::LargestOf(vtkDataArray* radii)
 {
-  if (this->Radii != radii || this->RadiiTime != radii->GetMTime())
+  const auto radiusOf = [radii](vtkIdType i)
   {
-    this->Radii = radii;
-    this->RadiiTime = radii->GetMTime();
-    this->LargestRadius = rtglyphs::RayTracedParallel::Largest(radii->GetNumberOfTuples(),
-      [radii](vtkIdType i)
-      {
-        const int components = radii->GetNumberOfComponents();
-        double tuple[9];
-        radii->GetTuple(i, tuple);
-        // No eigenvalue is larger than the root of a matrix's sum of squares, of which six numbers have at least half.
-        const double norm = components == 1 ? tuple[0] : vtkMath::Norm(tuple, components);
-        const double radius = components > 3 ? std::sqrt(std::sqrt(2.0) * norm) : norm;
-        return std::isfinite(radius) ? radius : 0.0;
-      });
-  }
+    const int components = radii->GetNumberOfComponents();
+    double tuple[9];
+    radii->GetTuple(i, tuple);
+    // No eigenvalue is larger than the root of a matrix's sum of squares, of which six numbers have at least half.
+    const double norm = components == 1 ? tuple[0] : vtkMath::Norm(tuple, components);
+    const double radius = components > 3 ? std::sqrt(std::sqrt(2.0) * norm) : norm;
+    return std::isfinite(radius) ? radius : 0.0;
+  };
+  this->KnownRadii.Update(radii->GetMTime(),
+    [&] { this->LargestRadius = rtglyphs::RayTracedParallel::Largest(radii->GetNumberOfTuples(), radiusOf); });
   return this->LargestRadius;
 }
 

@@ -7,10 +7,9 @@
 #ifndef TubeContent_h
 #define TubeContent_h
 
+#include "RayTracedCache.h"
 #include "RayTracedContent.h"
 #include "RayTracedTubeBuilder.h"
-#include "vtkDataArray.h"
-#include "vtkWeakPointer.h"
 
 namespace rtglyphs
 {
@@ -33,8 +32,7 @@ public:
 private:
   double LargestOf(vtkDataArray* radii);
 
-  vtkWeakPointer<vtkDataArray> Radii; // of cells, as they were at that time; their largest one
-  vtkMTimeType RadiiTime = 0;
+  RayTracedCache<vtkMTimeType> KnownRadii;
   double LargestRadius = 0.0;
 };
 
