@@ -175,11 +175,16 @@ vtkSmartPointer<Data> Numbered(Data* data)
   return numbered;
 }
 
-// Points at the centers of cells, which have the cells' arrays. Coarse cells of a hyper tree grid, and empty ones, are
-// numbered, too, but have no center: the arrays say which cell is which.
-template <class Centers>
-Leaf CentersOf(vtkDataObject* numbered)
+// Points at the centers of cells of a data set or a hyper tree grid, which have the cells' arrays; without the cells
+// that other ranks have or that are hidden. Coarse cells of a hyper tree grid, and empty ones, are numbered, too, but
+// have no center: the arrays say which cell is which.
+template <class Centers, class Data>
+Leaf CentersOf(Data* data)
 {
+  const vtkSmartPointer<Data> numbered = Numbered(data);
+  const char* ghostName = vtkDataSetAttributes::GhostArrayName();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(ghostName));
+  numbered->GetCellData()->RemoveArray(ghostName);
   vtkNew<Centers> centers;
   centers->SetInputDataObject(numbered);
   centers->VertexCellsOn();
@@ -187,18 +192,6 @@ Leaf CentersOf(vtkDataObject* numbered)
   Leaf leaf;
   leaf.Data = vtkDataSet::SafeDownCast(centers->GetOutputDataObject(0));
   leaf.CellIds = vtkIdTypeArray::SafeDownCast(leaf.Data->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CellIds));
-  return leaf;
-}
-
-// The same of a data set or a hyper tree grid, without the cells that other ranks have or that are hidden.
-template <class Centers, class Data>
-Leaf OwnCentersOf(Data* data)
-{
-  const vtkSmartPointer<Data> numbered = Numbered(data);
-  const char* ghostName = vtkDataSetAttributes::GhostArrayName();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(ghostName));
-  numbered->GetCellData()->RemoveArray(ghostName);
-  Leaf leaf = CentersOf<Centers>(numbered);
   vtkIdTypeArray* ids = leaf.CellIds;
   if (ids && HasAny(ghosts, ghostCell))
   {
@@ -215,12 +208,12 @@ rtglyphs::GlyphLeaves::Leaf rtglyphs::GlyphLeaves::Find(vtkDataObject* object, b
 {
   if (auto* grid = vtkHyperTreeGrid::SafeDownCast(object))
   {
-    return OwnCentersOf<vtkHyperTreeGridCellCenters>(grid);
+    return CentersOf<vtkHyperTreeGridCellCenters>(grid);
   }
   auto* data = vtkDataSet::SafeDownCast(object);
   if (data && cells)
   {
-    return OwnCentersOf<vtkCellCenters>(data);
+    return CentersOf<vtkCellCenters>(data);
   }
   Leaf leaf;
   leaf.Data = data;

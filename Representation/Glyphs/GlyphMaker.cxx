@@ -6,6 +6,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +15,6 @@ using namespace rtglyphs::GlyphOutcomes;
 
 namespace
 {
-glm::dvec3 ToVector(const double* x)
-{
-  return { x[0], x[1], x[2] };
-}
-
 // One of the arrows of a tensor: along the eigenvector of the largest magnitude first, to both sides of the center.
 // From it where the eigenvalue is positive, else to it.
 Outcome TakePart(int part, rtg::TensorGlyph& tensor, glm::dvec3& size, glm::dquat& rotation, double& shift)
@@ -126,7 +123,7 @@ bool rtglyphs::GlyphMaker::MakeExponents(rtg::Shape shape, const double* tuple, 
   }
   else if (components == 3)
   {
-    e = ToVector(tuple);
+    e = glm::make_vec3(tuple);
   }
   const bool nested = shape == rtg::Shape::NestedSuperquadric;
   if (nested)
@@ -152,7 +149,7 @@ glm::dvec3 rtglyphs::GlyphMaker::MiddleOf(const std::vector<vtkIdType>& points) 
   std::array<std::vector<double>, 3> coordinates;
   for (std::size_t k = 0; k < points.size(); k += step)
   {
-    const glm::dvec3 x = ToVector(positions.Get(points[k]));
+    const glm::dvec3 x = glm::make_vec3(positions.Get(points[k]));
     for (int axis = 0; axis < 3 && rtg::IsFinite(x); ++axis)
     {
       coordinates[axis].push_back(x[axis]);
@@ -176,11 +173,11 @@ glm::dvec3 rtglyphs::GlyphMaker::MiddleOf(const std::vector<vtkIdType>& points) 
 //----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
 {
-  glm::dvec3 place = ToVector(tuples.Positions.Get(point));
+  glm::dvec3 place = glm::make_vec3(tuples.Positions.Get(point));
   if (this->How.Frame == GlyphFrame::Tip)
   {
     rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
-    place += vectors.Has(point) ? this->How.ScaleFactor * ToVector(vectors.Get(point)) : glm::dvec3(NAN);
+    place += vectors.Has(point) ? this->How.ScaleFactor * glm::make_vec3(vectors.Get(point)) : glm::dvec3(NAN);
   }
   return this->Placement(place);
 }

@@ -4,6 +4,8 @@
 #include "vtkNew.h"
 #include "vtkPVBox.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,11 +13,6 @@
 
 namespace
 {
-glm::dvec3 Vector(const std::array<double, 3>& numbers)
-{
-  return { numbers[0], numbers[1], numbers[2] };
-}
-
 void Check(const char* name, std::span<const double> numbers, bool good, const char* remedy, std::string& problem)
 {
   if (!good || !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
@@ -47,20 +44,21 @@ rtg::Section rtglyphs::RayTracedSection::Make(bool blurs, std::string& problem) 
   section.faces = faces == Faces::ColoredCaps ? rtg::Section::Faces::Caps : static_cast<rtg::Section::Faces>(faces);
   if (faces == Faces::ColoredCaps)
   {
-    section.capColor = glm::vec3(Vector(this->CapColor));
+    section.capColor = glm::vec3(glm::make_vec3(this->CapColor.data()));
   }
   if (this->Kind == Kinds::Plane)
   {
-    const double length = glm::length(Vector(this->Normal));
+    const glm::dvec3 origin = glm::make_vec3(this->Origin.data()), across = glm::make_vec3(this->Normal.data());
+    const double length = glm::length(across);
     Check("SectionNormal", this->Normal, length > 0.0, "give it a length", problem);
     Check("SectionOrigin", this->Origin, true, "give it three numbers", problem);
     Check("SectionThickness", { &this->Thickness, 1 }, this->Thickness >= 0.0, "give it a width, or 0 for one side",
       problem);
-    const glm::dvec3 normal = Vector(this->Normal) / length, half = 0.5 * this->Thickness * normal;
-    section.planes.push_back({ Vector(this->Origin) + half, normal });
+    const glm::dvec3 normal = across / length, half = 0.5 * this->Thickness * normal;
+    section.planes.push_back({ origin + half, normal });
     if (this->Thickness > 0.0)
     {
-      section.planes.push_back({ Vector(this->Origin) - half, -normal });
+      section.planes.push_back({ origin - half, -normal });
     }
   }
   else
