@@ -29,13 +29,6 @@ std::size_t Threads()
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedParallel::Progress
-rtglyphs::RayTracedParallel::Part(const Progress& whole, double first, double last)
-{
-  return [whole, first, last](double share) { whole(first + share * (last - first)); };
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::RayTracedParallel::ForChunks(
   vtkIdType count, const std::function<void(vtkIdType, vtkIdType)>& work, const Progress& progress)
 {

@@ -38,7 +38,10 @@ using Progress = std::function<void(double)>;
 /**
  * Progress of work that takes `whole`, which is not empty, from one fraction to another.
  */
-Progress Part(const Progress& whole, double first, double last);
+inline Progress Part(const Progress& whole, double first, double last)
+{
+  return [whole, first, last](double share) { whole(first + share * (last - first)); };
+}
 
 /**
  * work(begin, end) for each chunk of [0, count).

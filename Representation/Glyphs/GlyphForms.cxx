@@ -53,12 +53,6 @@ rtglyphs::GlyphForms::Settings rtglyphs::GlyphForms::Settings::Effective() const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphForms::Settings::ColorsByRadius() const
-{
-  return this->On && this->Coloring == rtglyphs::GlyphTensors::RADIUS;
-}
-
-//----------------------------------------------------------------------------
 vtkDataArray* rtglyphs::GlyphForms::Array(vtkPolyData* points, const Settings& settings)
 {
   const bool wanted = settings.On && !rtglyphs::RayTracedArrays::IsNone(settings.Array);

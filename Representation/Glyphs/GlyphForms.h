@@ -46,7 +46,7 @@ public:
 
     /// With all that has no effect on instances at its default.
     Settings Effective() const;
-    bool ColorsByRadius() const;
+    bool ColorsByRadius() const { return this->On && this->Coloring == GlyphTensors::RADIUS; }
   };
 
   /**

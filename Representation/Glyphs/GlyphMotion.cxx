@@ -135,22 +135,10 @@ std::string rtglyphs::GlyphMotion::MissingInput(const Settings& settings)
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphMotion::On() const
-{
-  return this->Found[LINEAR] || this->Found[ACCELERATION] || this->Found[ANGULAR];
-}
-
-//----------------------------------------------------------------------------
-bool rtglyphs::GlyphMotion::Moves(vtkIdType point) const
-{
-  return !this->Found[MASK] || std::abs(this->Found[MASK]->GetComponent(point, 0)) > 0.0;
-}
-
-//----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMotion::Tuple(int kind, vtkIdType point) const
 {
   double tuple[3] = { 0.0, 0.0, 0.0 };
-  if (this->Moves(point))
+  if (!this->Found[MASK] || std::abs(this->Found[MASK]->GetComponent(point, 0)) > 0.0)
   {
     this->Found[kind]->GetTuple(point, tuple);
   }

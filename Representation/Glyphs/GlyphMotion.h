@@ -75,7 +75,7 @@ public:
    */
   static std::string MissingInput(const Settings& settings);
 
-  bool On() const;
+  bool On() const { return this->Found[0] || this->Found[1] || this->Found[2]; }
   bool Spins() const { return this->Found[2] != nullptr; }
 
   /**
@@ -105,8 +105,7 @@ public:
   rtg::DoubleBox Range(vtkIdType point) const;
 
 private:
-  bool Moves(vtkIdType point) const; // as the mask has it
-  glm::dvec3 Tuple(int kind, vtkIdType point) const;
+  glm::dvec3 Tuple(int kind, vtkIdType point) const; // zero of points that the mask leaves out
 
   std::array<vtkDataArray*, 4> Found{};
   std::vector<std::string> Messages_;

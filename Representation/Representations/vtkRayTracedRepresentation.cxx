@@ -79,12 +79,6 @@ void vtkRayTracedRepresentation::SetRepresentation(const char* name)
   }
 }
 
-//----------------------------------------------------------------------------
-vtkPVLODActor* vtkRayTracedRepresentation::GetRenderedProp()
-{
-  return this->Common.Parts.Actor;
-}
-
 //****************************************************************************
 // The data side
 //****************************************************************************

@@ -278,7 +278,7 @@ protected:
   ~vtkRayTracedRepresentation() override;
 
   /// The main actor, which GetActor() returns, too.
-  vtkPVLODActor* GetRenderedProp() override;
+  vtkPVLODActor* GetRenderedProp() override { return this->Common.Parts.Actor; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
