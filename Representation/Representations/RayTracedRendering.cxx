@@ -7,6 +7,7 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -29,8 +30,8 @@ struct ScreenshotState : vtkPVRenderView
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedRendering::RayTracedRendering(Owner owner, RayTracedCommon& common)
-  : From(std::move(owner))
+rtglyphs::RayTracedRendering::RayTracedRendering(vtkRayTracedRepresentation* owner, RayTracedCommon& common)
+  : Owner(owner)
   , Common(common)
   , All(common.Blocks)
   , Reduced(common.Reduced)
@@ -40,7 +41,7 @@ rtglyphs::RayTracedRendering::RayTracedRendering(Owner owner, RayTracedCommon& c
 //----------------------------------------------------------------------------
 vtkPVRenderView* rtglyphs::RayTracedRendering::GetView() const
 {
-  return vtkPVRenderView::SafeDownCast(this->From.Representation->GetView());
+  return vtkPVRenderView::SafeDownCast(this->Owner->GetView());
 }
 
 //----------------------------------------------------------------------------
@@ -65,12 +66,12 @@ void rtglyphs::RayTracedRendering::Show(vtkDataObject* data, Shown& shown)
   const vtkMTimeType time = data ? data->GetMTime() : 0;
   if (!shown.Data || data != shown.Data || time != shown.Time)
   {
-    this->From.PopulateBlockAttributes(shown.Attributes, data);
+    this->Owner->PopulateBlockAttributes(shown.Attributes, data);
     shown.Attributes->Modified();
     shown.Data = data;
     shown.Time = time;
   }
-  vtkMapper* mapper = this->From.Mapper;
+  vtkMapper* mapper = this->Owner->Mapper;
   RayTracedBlocks::Attributes common;
   RayTracedBlocks::Coloring& scalars = common.Scalars;
   scalars.On = mapper->GetScalarVisibility() != 0;
@@ -111,8 +112,8 @@ void rtglyphs::RayTracedRendering::UpdateBounds(RayTracedContent& content, vtkIn
   std::copy_n(BoundsOf(content, points, this->All), 6, bounds);
   ExtendBounds(this->MakeImages(points, piece, /*together=*/true), bounds);
   RayTracedParts& parts = this->Common.Parts;
-  parts.UpdateActor(this->From.Actor);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this->From.Representation, bounds, parts.Actor->GetMatrix());
+  parts.UpdateActor(this->Owner->Actor);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this->Owner, bounds, parts.Actor->GetMatrix());
   if (parts.Mapper)
   {
     // The clipping range takes those of actors, too: old ones that were larger would hold until the next update.
@@ -126,7 +127,7 @@ void rtglyphs::RayTracedRendering::ReportAnew(const std::string& problem, std::s
 {
   if (problem != std::exchange(reported, problem) && !problem.empty())
   {
-    vtkErrorWithObjectMacro(this->From.Representation, << problem);
+    vtkErrorWithObjectMacro(this->Owner, << problem);
   }
 }
 
@@ -148,8 +149,8 @@ void rtglyphs::RayTracedRendering::Remove(RayTracedContent& content)
   RayTracedParts& parts = this->Common.Parts;
   if (parts.Mapper)
   {
-    content.RemoveLayers(this->From.Representation, this->GetView());
-    parts.Remove(this->From.Representation, this->GetView(), parts.Actor, parts.Mapper);
+    content.RemoveLayers(this->Owner, this->GetView());
+    parts.Remove(this->Owner, this->GetView(), parts.Actor, parts.Mapper);
     parts.Mapper = nullptr;
   }
 }
@@ -158,7 +159,7 @@ void rtglyphs::RayTracedRendering::Remove(RayTracedContent& content)
 void rtglyphs::RayTracedRendering::Render(
   RayTracedContent& content, vtkInformation* inInfo, vtkDataObject* piece, bool translucent)
 {
-  vtkPVDataRepresentation* owner = this->From.Representation;
+  vtkPVDataRepresentation* owner = this->Owner;
   vtkPVRenderView* view = this->GetView();
   RayTracedParts& parts = this->Common.Parts;
   if (!parts.Mapper)
@@ -166,7 +167,7 @@ void rtglyphs::RayTracedRendering::Render(
     parts.Mapper = content.MakeMapper();
     parts.Add(owner, view, parts.Actor, parts.Mapper);
   }
-  parts.UpdateActor(this->From.Actor);
+  parts.UpdateActor(this->Owner->Actor);
   std::string problem;
   *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
   this->ReportAnew(problem, this->SectionProblem);

@@ -16,15 +16,12 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <string>
 
-class vtkActor;
 class vtkDataObject;
 class vtkInformation;
-class vtkMapper;
-class vtkPVDataRepresentation;
 class vtkPVRenderView;
+class vtkRayTracedRepresentation;
 class vtkRayTracedScene;
 
 namespace rtglyphs
@@ -33,14 +30,7 @@ namespace rtglyphs
 class RayTracedRendering
 {
 public:
-  struct Owner
-  {
-    vtkPVDataRepresentation* Representation;
-    vtkActor* Actor;
-    vtkMapper* Mapper;
-    std::function<void(vtkCompositeDataDisplayAttributes*, vtkDataObject*)> PopulateBlockAttributes;
-  };
-  RayTracedRendering(Owner owner, RayTracedCommon& common);
+  RayTracedRendering(vtkRayTracedRepresentation* owner, RayTracedCommon& common);
 
   ///@{
   /**
@@ -111,7 +101,7 @@ private:
   void SetBounds(RayTracedContent& content, const double bounds[6]);
   void ReportAnew(const std::string& problem, std::string& reported) const;
 
-  const Owner From;
+  vtkRayTracedRepresentation* const Owner;
   RayTracedCommon& Common;
   Shown All;
   Shown Reduced; // what the content makes of it for frames that must come at once

@@ -42,10 +42,7 @@ vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   , Surface(this->Common)
   , Tubes(this->Common)
   , Content(&this->Glyphs)
-  , Rendering({ this, this->Actor, this->Mapper,
-                [this](vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data)
-                { this->PopulateBlockAttributes(attributes, data); } },
-      this->Common)
+  , Rendering(this, this->Common)
 {
   this->SetNumberOfInputPorts(PORTS);
   this->RequestGhostCellsIfNeeded = false;

@@ -291,6 +291,10 @@ protected:
   bool NeedsOrderedCompositing() override;
 
 private:
+#ifndef __VTK_WRAP__
+  friend class rtglyphs::RayTracedRendering; // takes over what the superclass keeps of appearance, colors and blocks
+#endif
+
   /// Strings of the server manager may be null, which means no array.
   static std::string OrEmpty(const char* name) { return name ? name : ""; }
   /// Numbers may be NaN, which counts as 0.
