@@ -76,12 +76,6 @@ void rtglyphs::GlyphMeshes::SetDelivered(vtkDataObject* piece)
   {
     this->Meshes.emplace_back(vtkPolyData::SafeDownCast(inner));
   }
-  this->UpdateExtents();
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphMeshes::UpdateExtents()
-{
   std::vector<vtkMTimeType> times;
   for (vtkPolyData* mesh : this->Meshes)
   {
@@ -89,7 +83,7 @@ void rtglyphs::GlyphMeshes::UpdateExtents()
   }
   if (times == this->ExtentsTimes)
   {
-    return;
+    return; // the extents stay the same objects, too
   }
   this->ExtentsTimes = times;
   this->Extents.clear();

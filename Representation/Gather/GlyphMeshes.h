@@ -60,8 +60,6 @@ public:
   double GetLargestSide() const;
 
 private:
-  void UpdateExtents();
-
   vtkNew<vtkMultiBlockDataSet> Piece; // its only block is the mesh, or a composite of them
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
   std::vector<std::shared_ptr<const rtg::TriangleMesh>> Extents;

@@ -67,21 +67,14 @@ void rtglyphs::GlyphContent::Deliver(vtkInformation* info, vtkPVDataRepresentati
     vtkPolyData* points = this->Common.Blocks.GetPolyData();
     this->UpdateTensorRange(points);
     this->UpdateScaleGuess(points, representation->GetUpdateTime());
-    this->CountPointsOfAllRanks(points);
+    std::vector<double> count{ points ? static_cast<double>(points->GetNumberOfPoints()) : 0.0 };
+    if (this->Settings.Mask.On)
+    {
+      rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
+    }
+    this->Settings.Mask.PointsOfAllRanks = static_cast<vtkIdType>(count[0]);
     this->UpdateDataSizes(points);
   }
-}
-
-//----------------------------------------------------------------------------
-// On all ranks that have data.
-void rtglyphs::GlyphContent::CountPointsOfAllRanks(vtkPolyData* points)
-{
-  std::vector<double> count{ points ? static_cast<double>(points->GetNumberOfPoints()) : 0.0 };
-  if (this->Settings.Mask.On)
-  {
-    rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
-  }
-  this->Settings.Mask.PointsOfAllRanks = static_cast<vtkIdType>(count[0]);
 }
 
 //----------------------------------------------------------------------------

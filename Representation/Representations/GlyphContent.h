@@ -111,7 +111,6 @@ private:
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points, double time);
   void UpdateDataSizes(vtkPolyData* points);
-  void CountPointsOfAllRanks(vtkPolyData* points);
   void UpdateLegend(const GlyphSettings& settings);
   void Resize(LayerList& layers, std::size_t size, vtkPVDataRepresentation* owner, vtkPVRenderView* view);
   void Update(Layer& layer, const RayTracedBlocks& blocks) const;

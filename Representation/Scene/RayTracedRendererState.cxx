@@ -179,10 +179,8 @@ rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Env
   const auto right = glm::normalize(glm::vec3(glm::make_vec3(renderer->GetEnvironmentRight())));
   const auto up = glm::normalize(glm::vec3(glm::make_vec3(renderer->GetEnvironmentUp())));
   Environment environment;
-  environment.Input = input;
   environment.Time = input->GetMTime();
-  if (last.Image && last.Input == environment.Input && last.Time == environment.Time && last.Image->right == right &&
-    last.Image->up == up)
+  if (last.Image && last.Time == environment.Time && last.Image->right == right && last.Image->up == up)
   {
     return last;
   }

@@ -46,8 +46,7 @@ std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, double softness, bool pl
  */
 struct Environment
 {
-  const void* Input = nullptr;
-  unsigned long Time = 0;
+  unsigned long Time = 0; // of the input
   std::shared_ptr<const rtg::EnvironmentImage> Image;
 };
 Environment EnvironmentOf(vtkRenderer* renderer, const Environment& last);
