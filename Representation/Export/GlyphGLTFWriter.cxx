@@ -7,8 +7,6 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 // clang-format on
 
-#include <type_traits>
-
 namespace
 {
 using Json = nlohmann::ordered_json;
@@ -36,8 +34,8 @@ public:
   }
 
   template <typename Value>
-  std::size_t AddArray(const std::vector<Value>& values, const char* type, int component = floatingPoint,
-    int target = 0, bool bounds = false)
+  std::size_t
+  AddArray(const std::vector<Value>& values, const char* type, int component = floatingPoint, int target = 0)
   {
     Json view = { { "buffer", 0 }, { "byteOffset", this->Binary.size() },
       { "byteLength", values.size() * sizeof(Value) } };
@@ -49,19 +47,6 @@ public:
     this->Binary.append(bytes, values.size() * sizeof(Value));
     Json accessor = { { "bufferView", this->Add("bufferViews", std::move(view)) }, { "componentType", component },
       { "count", values.size() }, { "type", type } };
-    if constexpr (std::is_same_v<Value, glm::vec3>)
-    {
-      if (bounds)
-      {
-        rtg::Box box;
-        for (const glm::vec3& value : values)
-        {
-          box.Include({ value, value });
-        }
-        accessor["min"] = { box.lower.x, box.lower.y, box.lower.z };
-        accessor["max"] = { box.upper.x, box.upper.y, box.upper.z };
-      }
-    }
     return this->Add("accessors", std::move(accessor));
   }
 
@@ -83,7 +68,15 @@ public:
   std::size_t AddMesh(const rtglyphs::GlyphTessellatedPart& part, std::size_t material)
   {
     const rtg::TriangleMesh& mesh = *part.Mesh;
-    Json attributes = { { "POSITION", this->AddArray(mesh.positions, "VEC3", floatingPoint, arrayBuffer, true) } };
+    const std::size_t positions = this->AddArray(mesh.positions, "VEC3", floatingPoint, arrayBuffer);
+    rtg::Box box;
+    for (const glm::vec3& position : mesh.positions)
+    {
+      box.Include({ position, position });
+    }
+    this->All["accessors"][positions]["min"] = { box.lower.x, box.lower.y, box.lower.z };
+    this->All["accessors"][positions]["max"] = { box.upper.x, box.upper.y, box.upper.z };
+    Json attributes = { { "POSITION", positions } };
     if (!mesh.normals.empty())
     {
       attributes["NORMAL"] = this->AddArray(mesh.normals, "VEC3", floatingPoint, arrayBuffer);
