@@ -121,7 +121,7 @@ private:
       return this->How.IsAroundVectors() ? NOT_SHOWN : MOTION; // the vectors' messages name it
     }
     const glm::vec3 center(glyph.Center), low(glyph.Center - glm::dvec3(center));
-    if (std::max({ std::abs(low.x), std::abs(low.y), std::abs(low.z) }) > 1e-6 * glyph.Smallest())
+    if (std::max({ std::abs(low.x), std::abs(low.y), std::abs(low.z) }) > 1e-6 * glyph.SmallestExtent())
     {
       this->NeedsLowParts = true;
     }

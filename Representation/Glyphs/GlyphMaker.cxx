@@ -8,7 +8,6 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace rtglyphs::GlyphOutcomes;
@@ -66,13 +65,6 @@ TakeCone(int part, const rtglyphs::GlyphTensors::Cone& cone, glm::dvec3& size, g
   shift = -0.5;
   return length > 0.0 ? SHOWN : NOT_SHOWN;
 }
-}
-
-//----------------------------------------------------------------------------
-float rtglyphs::GlyphMaker::Glyph::Smallest() const
-{
-  const glm::vec3 extent(glm::abs(this->Size));
-  return std::min({ extent.x, extent.y, extent.z });
 }
 
 //----------------------------------------------------------------------------
@@ -301,7 +293,7 @@ Outcome rtglyphs::GlyphMaker::Make(
   {
     return SCALE;
   }
-  if (!(glyph.Smallest() > 0.0f))
+  if (!(glyph.SmallestExtent() > 0.0f))
   {
     return ZERO_SCALE;
   }

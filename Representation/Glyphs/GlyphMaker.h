@@ -28,6 +28,7 @@
 #include "Tensor.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 #include <string>
@@ -79,7 +80,11 @@ public:
     glm::vec3 Exponents{ 2.0f };
     float Radius = 0.0f; // of a polynomial: the |f| that half the size stands for, in units of the array
 
-    float Smallest() const; // extent
+    float SmallestExtent() const
+    {
+      const glm::vec3 extent(glm::abs(this->Size));
+      return std::min({ extent.x, extent.y, extent.z });
+    }
   };
 
   /**

@@ -234,12 +234,6 @@ rtglyphs::GlyphSettings rtglyphs::GlyphContent::GetSizes(vtkPolyData*, double& u
 //****************************************************************************
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkRayTracedMapper> rtglyphs::GlyphContent::MakeMapper() const
-{
-  return vtkSmartPointer<vtkRayTracedGlyphMapper>::New();
-}
-
-//----------------------------------------------------------------------------
 // The glyphs, and what goes with them: further meshes of a table, layers of the shape, shells, arrows of the
 // antisymmetric parts of tensors, trails.
 std::vector<rtglyphs::GlyphSettings> rtglyphs::GlyphContent::MakeLayers(vtkPolyData* points) const

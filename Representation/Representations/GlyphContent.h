@@ -70,7 +70,10 @@ public:
   bool IsTranslucent() const override;
   vtkDataObject* Reduce(vtkDataObject* data, const double bounds[6], double resolution) override;
 
-  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override
+  {
+    return vtkSmartPointer<vtkRayTracedGlyphMapper>::New();
+  }
   void Configure(const Frame& frame) override;
   void ShowReduced(const Frame& frame, bool reduced) override;
   void Show(bool visible) override;

@@ -1,7 +1,6 @@
 #include "SurfaceContent.h"
 
 #include "RayTracedSurfaceGatherer.h"
-#include "vtkRayTracedSurfaceMapper.h"
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> rtglyphs::SurfaceContent::Gather(
@@ -22,12 +21,6 @@ rtglyphs::GlyphSettings rtglyphs::SurfaceContent::GetSizes(vtkPolyData*, double&
   settings.ScaleFactor = 0.0;
   settings.Motion = this->Common.Time.GetMotionOfPoints();
   return settings;
-}
-
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkRayTracedMapper> rtglyphs::SurfaceContent::MakeMapper() const
-{
-  return vtkSmartPointer<vtkRayTracedSurfaceMapper>::New();
 }
 
 //----------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #define SurfaceContent_h
 
 #include "RayTracedContent.h"
+#include "vtkRayTracedSurfaceMapper.h"
 
 namespace rtglyphs
 {
@@ -31,7 +32,10 @@ public:
   bool MarksSelection() const override { return false; }
   GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
 
-  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override
+  {
+    return vtkSmartPointer<vtkRayTracedSurfaceMapper>::New();
+  }
   void Configure(const Frame& frame) override;
   void Show(bool) override { this->RayTracedContent::Show(false); }
 };

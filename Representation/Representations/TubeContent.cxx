@@ -3,7 +3,6 @@
 #include "RayTracedSurfaceGatherer.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
-#include "vtkRayTracedTubeMapper.h"
 
 #include <cmath>
 
@@ -57,12 +56,6 @@ double rtglyphs::TubeContent::LargestOf(vtkDataArray* radii)
   this->KnownRadii.Update(radii->GetMTime(),
     [&] { this->LargestRadius = rtglyphs::RayTracedParallel::Largest(radii->GetNumberOfTuples(), radiusOf); });
   return this->LargestRadius;
-}
-
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkRayTracedMapper> rtglyphs::TubeContent::MakeMapper() const
-{
-  return vtkSmartPointer<vtkRayTracedTubeMapper>::New();
 }
 
 //----------------------------------------------------------------------------

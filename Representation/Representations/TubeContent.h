@@ -9,7 +9,7 @@
 
 #include "RayTracedCache.h"
 #include "RayTracedContent.h"
-#include "RayTracedTubeBuilder.h"
+#include "vtkRayTracedTubeMapper.h"
 
 namespace rtglyphs
 {
@@ -26,7 +26,10 @@ public:
   std::array<int, 3> GatherOptions() const override { return { 2, 0, 0 }; }
   GlyphSettings GetSizes(vtkPolyData* lines, double& unitSize) override;
 
-  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override;
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() const override
+  {
+    return vtkSmartPointer<vtkRayTracedTubeMapper>::New();
+  }
   void Configure(const Frame& frame) override;
 
 private:
