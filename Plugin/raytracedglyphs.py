@@ -74,13 +74,11 @@ def ExportGlyphs(fileName, view=None):
     are linear. Displays as 'Ray Traced Surface' are left out, as are superquadrics and tensor glyphs of more than 1000
     different shapes; messages say so.
     """
-    exporters = {".usda": "RayTracedGlyphsUSDExporter", ".glb": "RayTracedGlyphsGLTFExporter", ".gltf": "RayTracedGlyphsGLTFExporter"}
-    extension = os.path.splitext(fileName)[1].lower()
-    if extension not in exporters:
+    if os.path.splitext(fileName)[1].lower() not in (".usda", ".glb", ".gltf"):
         raise ValueError("'%s' ends neither in .usda nor in .glb or .gltf; choose one of these." % fileName)
     _AnyDisplay(view)
     view = view or pv.GetActiveView()
-    exporter = view.SMProxy.GetSessionProxyManager().NewProxy("exporters", exporters[extension])
+    exporter = view.SMProxy.GetSessionProxyManager().NewProxy("exporters", "RayTracedGlyphsExporter")
     exporter.UnRegister(None)
     exporter.SetView(view.SMProxy)
     exporter.GetProperty("FileName").SetElement(0, fileName)
