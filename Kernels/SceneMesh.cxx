@@ -115,8 +115,8 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   // Positions at rest do not depend on the shutter.
   const bool sameShutter =
     !mesh.motion.Moves() || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  const bool keeps = (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && before &&
-    (before == wanted || SameShape(*before, mesh));
+  const bool keeps =
+    (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && before && (before == wanted || SameShape(*before, mesh));
   Device::State& vulkan = this->device->GetState();
   if (keeps && before != wanted)
   {

@@ -185,8 +185,8 @@ void main()
         vec3 place = layers.ray.origin.hi + hit.t * direction;
         if (shadows)
         {
-          direct = BeginLighting(
-            place, LitNormal(hit, direction), normalize(frame.viewPosition - place), set.specularPower);
+          direct =
+            BeginLighting(place, LitNormal(hit, direction), normalize(frame.viewPosition - place), set.specularPower);
           adds = true;
         }
         else

@@ -72,8 +72,8 @@ Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, c
   // A plane that is not there is no number to divide by a small slope: the product overflows.
   bool openBelow = slab.lower.x == SECTION_UNBOUNDED && slope.hi != 0.0;
   vec2 lower = openBelow ? slab.upper : slab.lower;
-  Span span = Slab(height, slope, DoubleWord(lower.x, lower.y), DoubleWord(slab.upper.x, slab.upper.y), firstPlane,
-    firstPlane + 1);
+  Span span = Slab(
+    height, slope, DoubleWord(lower.x, lower.y), DoubleWord(slab.upper.x, slab.upper.y), firstPlane, firstPlane + 1);
   span.sIn = openBelow && slope.hi > 0.0 ? Word(-RTG_NEVER) : span.sIn;
   span.sOut = openBelow && slope.hi < 0.0 ? Word(RTG_NEVER) : span.sOut;
   return span;

@@ -29,9 +29,9 @@ TreePosition RootOfTree()
 // Which of the `count` things are in the current node, when it is a leaf: from x up to y; otherwise none.
 uvec2 LeafRange(const TreePosition position, const TreeRecord tree, const uint64_t count)
 {
-  return position.level == tree.levels ? uvec2((uint64_t(position.node) * count) >> tree.leafBits,
-                                           (uint64_t(position.node + 1u) * count) >> tree.leafBits)
-                                       : uvec2(0u);
+  return position.level == tree.levels
+    ? uvec2((uint64_t(position.node) * count) >> tree.leafBits, (uint64_t(position.node + 1u) * count) >> tree.leafBits)
+    : uvec2(0u);
 }
 
 // The ray prepared for boxes. Rounding moves the parameters t at which it meets their planes: by 2^-20 of the distance

@@ -48,8 +48,7 @@ RTG_FN EnclosureRay ToEnclosure(const GlyphRay ray, const Glyph glyph, const Enc
   real shortest = min(outer.halfSize.x, min(outer.halfSize.y, outer.halfSize.z));
   real away = abs(v.x) + abs(v.y) + abs(v.z) + abs(outer.middle.x);
   return EnclosureRay((RotateToLocal(glyph, v) - outer.middle) / outer.halfSize,
-    RotateToLocal(glyph, ray.direction) / outer.halfSize,
-    real(64.0 * RTG_ROUNDOFF) * (away / shortest + outer.radius));
+    RotateToLocal(glyph, ray.direction) / outer.halfSize, real(64.0 * RTG_ROUNDOFF) * (away / shortest + outer.radius));
 }
 
 RTG_FN int Estimate(const EnclosureRay ray, const Enclosure outer, const real tMin, const real tMax, RTG_OUT(real) low,

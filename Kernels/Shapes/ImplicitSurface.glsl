@@ -44,8 +44,8 @@ RTG_FN bool ToChord(const GlyphRay ray, const Glyph glyph, const real tMin, cons
   // By a power of two: third derivatives of tiny glyphs would overflow.
   chord.scale = ldexp(real(1.0), -int(floor(log2(max(abs(d.x), max(abs(d.y), abs(d.z)))))));
   chord.ray = local;
-  chord.unit = LocalRay(Word(real(0.0)), local.origin,
-    DoubleWord3(chord.scale * local.direction.hi, chord.scale * local.direction.lo));
+  chord.unit = LocalRay(
+    Word(real(0.0)), local.origin, DoubleWord3(chord.scale * local.direction.hi, chord.scale * local.direction.lo));
   real3 padded = real3(real(1.0 + 32.0 * RTG_ROUNDOFF));
   if (!BoxChord(chord.unit.origin.hi, chord.unit.direction.hi, padded, chord.sIn, chord.sOut))
   {

@@ -67,8 +67,8 @@ RTG_FN HermiteWindow WindowOf(const PlanePoint a, const PlanePoint b, const real
   real sa = a.n.x * a.slope - a.n.y * a.f;
   real sb = b.n.x * b.slope - b.n.y * b.f;
   real third = width * real(1.0 / 3.0);
-  return HermiteWindow(real4(ha, ha + third * sa, hb - third * sb, hb),
-    real3(sa, real(3.0) * (hb - ha) / width - sa - sb, sb));
+  return HermiteWindow(
+    real4(ha, ha + third * sa, hb - third * sb, hb), real3(sa, real(3.0) * (hb - ha) / width - sa - sb, sb));
 }
 
 // Where the cubic's slope changes its sign, as a fraction of the window.
@@ -411,9 +411,8 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
 
   // Outside where it starts
   PlanePoint first = PlanePoint(DirectionAt(plane, plane.start), real(0.0), real(0.0));
-  PolynomialSearch search =
-    PolynomialSearch(first, false, QuarterStep(degree), real(1.5707963) / real(degree + 1), real(1.0), plane.start,
-      plane.start, plane.start, false, false, false, real2(real(0.0)), true, 0);
+  PolynomialSearch search = PolynomialSearch(first, false, QuarterStep(degree), real(1.5707963) / real(degree + 1),
+    real(1.0), plane.start, plane.start, plane.start, false, false, false, real2(real(0.0)), true, 0);
   real passed = -real(RTG_NEVER); // where the last crossing was
   bool more = plane.start < plane.end;
   while (more)

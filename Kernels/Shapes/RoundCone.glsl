@@ -280,9 +280,9 @@ EstimateInner(const Glyph glyph, const real3 p, const real sine, const real cosi
     bool side = beforeLast > tolerance;
     real3 joint = real3(-halfLength, real(0.0), real(0.0));
     inBefore = afterFirst < -tolerance ? RTG_INSIDE
-      : !(afterFirst > tolerance)      ? RTG_UNKNOWN
-                                       : EstimateInNextPiece(p, joint, first, glyph.before, side,
-                                           side ? -afterFirst : real(0.0), cosine, error, extent);
+      : !(afterFirst > tolerance)
+      ? RTG_UNKNOWN
+      : EstimateInNextPiece(p, joint, first, glyph.before, side, side ? -afterFirst : real(0.0), cosine, error, extent);
   }
   if (glyph.after.w > real(0.0))
   {

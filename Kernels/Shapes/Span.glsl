@@ -41,8 +41,8 @@ RTG_FN bool IsEmpty(const Span span)
 // The span that begins as a or, with `inOfB`, as b, and likewise ends.
 RTG_FN Span Ends(const Span a, const Span b, const bool inOfB, const bool outOfB)
 {
-  return Span(inOfB ? b.sIn : a.sIn, outOfB ? b.sOut : a.sOut, inOfB ? b.faceIn : a.faceIn,
-    outOfB ? b.faceOut : a.faceOut);
+  return Span(
+    inOfB ? b.sIn : a.sIn, outOfB ? b.sOut : a.sOut, inOfB ? b.faceIn : a.faceIn, outOfB ? b.faceOut : a.faceOut);
 }
 
 RTG_FN Span Intersection(const Span a, const Span b)

@@ -296,9 +296,15 @@ private:
 #endif
 
   /// Strings of the server manager may be null, which means no array.
-  static std::string OrEmpty(const char* name) { return name ? name : ""; }
+  static std::string OrEmpty(const char* name)
+  {
+    return name ? name : "";
+  }
   /// Numbers may be NaN, which counts as 0.
-  static double OrZero(double number) { return rtglyphs::RayTracedNumbers::NumberOr(number, 0.0); }
+  static double OrZero(double number)
+  {
+    return rtglyphs::RayTracedNumbers::NumberOr(number, 0.0);
+  }
 
   // Properties
   void SetArray(std::string& held, const char* name);

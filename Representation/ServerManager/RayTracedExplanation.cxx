@@ -112,7 +112,8 @@ void ExplainPeriods(vtkSMProxy* display, std::vector<std::string>& sentences)
   }
   else if (periodic && !isSet("PeriodicVectors") && !HasPeriodicBox(display))
   {
-    sentences.emplace_back("The periodic box is that of the points' bounds, as the data have none; PeriodicVectors sets another");
+    sentences.emplace_back(
+      "The periodic box is that of the points' bounds, as the data have none; PeriodicVectors sets another");
   }
 }
 }
@@ -165,8 +166,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   const double limited = summary.GetAsDouble(rtglyphs::DataSummary::LIMITED_FRACTION);
   if (number("ScaleFactorFromData") != 0.0 && limited > 0.0)
   {
-    sentences.push_back(
-      "About " + Percent(limited) + " of the glyphs would be too large and are drawn in one size");
+    sentences.push_back("About " + Percent(limited) + " of the glyphs would be too large and are drawn in one size");
   }
   if (shape == 0 && number("UseGlyphTable") != 0.0 && List::Named(glyphs, "GlyphTableIndexArray").empty())
   {
@@ -174,7 +174,8 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   }
   if (tensors && coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS && !Shapes::IsPolynomial(shape))
   {
-    sentences.emplace_back("GlyphTensorColoring Radius has no effect: it is for Spherical Harmonics, Normal Stress and Fourth-Order Tensor");
+    sentences.emplace_back(
+      "GlyphTensorColoring Radius has no effect: it is for Spherical Harmonics, Normal Stress and Fourth-Order Tensor");
   }
   vtkSMProxy* type = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
   const bool ball = shape == 0 && type && strcmp(type->GetXMLName(), "SphereSource") == 0 &&

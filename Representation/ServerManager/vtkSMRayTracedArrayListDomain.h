@@ -51,10 +51,7 @@ public:
    * The default, and why; of one array whether it can be that.
    */
   Choice Choose(const char* only = nullptr);
-  bool HasBetterThan(const char* array)
-  {
-    return !this->Choose(array) && this->Choose();
-  }
+  bool HasBetterThan(const char* array) { return !this->Choose(array) && this->Choose(); }
   Choice ChooseFor(rtglyphs::GlyphArrayRoles::Role role, const std::vector<Array>& arrays);
 
   /**
