@@ -145,7 +145,11 @@ def quality(checks, view, shown):
     view = pv.GetActiveView()
     shown = displays(view)
     checks.equal("quality of a state", found(), [meant["Balanced"]] * 2)
+    outliving = shown[0].SMProxy
+    pv.Render(view)
     pv.Delete(view)
+    del view
+    outliving.UpdatePropertyInformation()  # its statistics are the view's
     for source in list(pv.GetSources().values()):
         pv.Delete(source)
 
