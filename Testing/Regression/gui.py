@@ -350,10 +350,7 @@ def parts(window, view, reader, shown):
     shown.GlyphType = "Cone"
     shown.GlyphType.Height = 2.0
     pv.SelectIDs(IDs=[0, 1, 0, 2], FieldType="POINT", Source=reader)
-    of_pipeline = pv.Cone(Height=2.0)
     for kind in "Clip", "ExtractSelection":
-        if kind != "Clip":
-            shown.GlyphType = of_pipeline
         shown.Visibility = 1
         pv.SetActiveSource(reader)
         pv.Render(view)
@@ -386,7 +383,6 @@ def parts(window, view, reader, shown):
     pv.ClearSelection(reader)
     pv.SetActiveSource(reader)
     shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "None", "Sphere"
-    pv.Delete(of_pipeline)
     return failures
 
 
