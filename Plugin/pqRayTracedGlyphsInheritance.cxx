@@ -33,22 +33,17 @@ bool IsPart(vtkSMProxy* filter)
   return parts.contains(filter->GetXMLName());
 }
 
-// Sources of glyphs are each display's own, but for those of the pipeline, which ParaView's Copy() leaves out.
+// Sources of glyphs are each display's own.
 void CopyValue(vtkSMProperty* from, vtkSMProperty* to)
 {
   auto* list = to->FindDomain<vtkSMProxyListDomain>();
-  const vtkSMPropertyHelper source(from);
-  vtkSMProxy* value = list ? source.GetAsProxy() : nullptr;
+  vtkSMProxy* value = list ? vtkSMPropertyHelper(from).GetAsProxy() : nullptr;
   vtkSMProxy* own = value ? list->FindProxy(value->GetXMLGroup(), value->GetXMLName()) : nullptr;
   if (own)
   {
     own->Copy(value);
     own->UpdateVTKObjects();
     vtkSMPropertyHelper(to).Set(own);
-  }
-  else if (value)
-  {
-    vtkSMPropertyHelper(to).Set(value, source.GetOutputPort());
   }
   else
   {
