@@ -227,7 +227,7 @@ inline bool AnyTranslucent(const GlyphColors& colors)
 }
 
 /// A cut through the glyphs of a set: what lies inside a convex body, or all that lies outside it, is not there for any
-/// ray.
+/// ray. Moving glyphs pass it.
 struct Section
 {
   enum class Faces : std::uint32_t
@@ -245,9 +245,6 @@ struct Section
   std::vector<Plane> planes; ///< of the body: three, or pairs back to back; none: no cut
   bool keepsInside = false;  ///< of the body, else what is outside it
   Faces faces = Faces::Caps;
-  /// Each glyph takes the cut that it has at time 0 along on its path, as it rotates; else the cut stands still. For
-  /// the motion of a mesh's own positions it stands still.
-  bool moves = false;
   std::optional<glm::vec3> capColor; ///< instead of the glyphs' colors
 
   bool operator==(const Section&) const = default;

@@ -120,7 +120,6 @@ void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record) co
 {
   const Section& section = set.material.section;
   record.variants |= device::SECTION;
-  record.variants |= section.moves && set.instances.motion.Any() ? device::SECTION_MOVES : 0u;
   record.sectionKeepsInside = section.keepsInside;
   const bool cutsWhole = section.faces == Section::Faces::Whole && set.instances.identifyTriangles;
   record.sectionFaces = static_cast<std::uint32_t>(cutsWhole ? Section::Faces::Open : section.faces);

@@ -81,7 +81,6 @@ const uint END_VALUES = 1u << 26;       // colors of ends are values with a tabl
 const uint SIGN_COLORS = 1u << 27;      // of polynomials
 const uint DIRECTION_COLORS = 1u << 28; // of the direction from the center to the surface
 const uint SECTION = 1u << 29;          // a cut (Programs/section.glsl)
-const uint SECTION_MOVES = 1u << 30;    // glyphs take it along
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLORS = MESH_POSITION_COLORS | MESH_TRIANGLE_COLORS | MESH_VALUE_COLORS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;

@@ -71,10 +71,7 @@ void CopySettings(vtkSMProxy* from, vtkSMProxy* to)
     }
   }
   // Setting a number switches off that the data choose it.
-  for (const char* name : { "ScaleFactorFromData", "ShutterTimeFromData" })
-  {
-    to->GetProperty(name)->Copy(from->GetProperty(name));
-  }
+  to->GetProperty("ScaleFactorFromData")->Copy(from->GetProperty("ScaleFactorFromData"));
 }
 }
 

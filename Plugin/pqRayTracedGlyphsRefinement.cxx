@@ -141,11 +141,8 @@ void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* represen
   {
     vtkSMPropertyHelper(proxy, "SamplesPerRender").Set(-1);
     proxy->UpdateProperty("SamplesPerRender");
-    for (const char* fromData : { "ScaleFactor", "ShutterTime" })
-    {
-      pqCoreUtilities::connect(
-        proxy->GetProperty(fromData), vtkCommand::ModifiedEvent, this, SLOT(showChoice(vtkObject*)));
-    }
+    pqCoreUtilities::connect(
+      proxy->GetProperty("ScaleFactor"), vtkCommand::ModifiedEvent, this, SLOT(showChoice(vtkObject*)));
   }
 }
 

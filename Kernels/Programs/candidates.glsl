@@ -155,36 +155,3 @@ bool IntersectCandidate(const uint record, const GlyphSetRecord set, const Glyph
   }
   return met;
 }
-
-// Intersects a candidate of a set with a cut: one of the driver's BVH, or one that takes its cut along.
-bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
-  const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
-{
-  bool single = rayQueries || Has(set.variants, SECTION_MOVES);
-  bool cuts = single && CutsGlyphs(set);
-  Span body = cuts ? SectionSpan(set, ray, number, glyph) : WholeRay();
-  bool met = false;
-  for (uint part = 0u; part < (cuts ? 2u : 1u) && !(any && met); ++part)
-  {
-    GlyphCrossing found = hit;
-    float start = tMin;
-    if (partsOfRay > 1u && single)
-    {
-      vec2 range = BeginPart(set, cuts, body, part, tMin, hit.t);
-      start = range.x;
-      found.t = range.y;
-    }
-    float end = found.t;
-    float low, high;
-    bool near = start <= end && (!rayQueries || Estimate(set, ray, number, glyph, start, end, low, high) != RTG_MISSED);
-    if (near && IntersectCandidate(record, set, ray, number, glyph, seed, start, any, gathers, found))
-    {
-      met = true;
-      if (!(layered && gathers) || found.t < end)
-      {
-        hit = found;
-      }
-    }
-  }
-  return met;
-}

@@ -74,12 +74,12 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 }
 
 // Results of Estimate.glsl.
-int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph, const float tMin,
-  const float tMax, out float low, out float high)
+int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
+  out float low, out float high)
 {
   low = tMin;
   high = tMax;
-  if (IsLeftOut(set, number, glyph))
+  if (IsLeftOut(set, glyph))
   {
     return RTG_MISSED;
   }
@@ -87,11 +87,7 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const uint number, co
   {
     return MissesMesh(set, ray, glyph) ? RTG_MISSED : RTG_UNKNOWN;
   }
-  int verdict = EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
-  // A glyph that takes its cut along may be cut off where it would be met, and a piece of a line closed where it would
-  // not.
-  bool open = verdict == RTG_HIT || IsOfShape(set.shape, RTG_OWN_ESTIMATE) || IsOfShape(set.shape, RTG_SWEPT);
-  return open && Has(set.variants, SECTION_MOVES) ? RTG_UNKNOWN : verdict;
+  return EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
 }
 
 // A mesh is as large as its triangles are spread.

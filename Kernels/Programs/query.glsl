@@ -18,6 +18,36 @@ GlyphCrossing CrossingOfTriangle(
   return GlyphCrossing(record, number, triangle, clamp(t, tMin, tMax), vec3(0.0));
 }
 
+// Intersects a candidate, whose set may have a cut.
+bool IntersectParts(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number,
+  const Glyph glyph, const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+{
+  bool cuts = CutsGlyphs(set);
+  Span body = cuts ? SectionSpan(set, ray) : WholeRay();
+  bool met = false;
+  for (uint part = 0u; part < (cuts ? 2u : 1u) && !(any && met); ++part)
+  {
+    GlyphCrossing found = hit;
+    vec2 range = vec2(tMin, hit.t);
+    if (partsOfRay > 1u)
+    {
+      range = BeginPart(set, cuts, body, part, tMin, hit.t);
+      found.t = range.y;
+    }
+    float low, high;
+    bool near = range.x <= range.y && Estimate(set, ray, glyph, range.x, range.y, low, high) != RTG_MISSED;
+    if (near && IntersectCandidate(record, set, ray, number, glyph, seed, range.x, any, gathers, found))
+    {
+      met = true;
+      if (!(layered && gathers) || found.t < range.y)
+      {
+        hit = found;
+      }
+    }
+  }
+  return met;
+}
+
 // The same hits as WalkSets() in walk.glsl.
 GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
   const bool any, const bool gathers)

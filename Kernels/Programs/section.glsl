@@ -1,6 +1,5 @@
 // Cuts: of a set with SECTION what lies in a convex body, or all but that, is not there. Of a ray one or two parts are
 // left. Where one begins at a plane of the body, a glyph that it begins in is closed by a face, or seen from inside.
-// With SECTION_MOVES each glyph has the body where its motion since time zero brings it.
 
 // Parts of a ray that are left, at most. Programs that cut nothing have no second round.
 const uint partsOfRay = 1u + (inSomeSets & SECTION) / SECTION;
@@ -19,56 +18,19 @@ bool IsCap(const GlyphSetRecord set, const uint triangle)
   return Has(set.variants, SECTION) && triangle >= firstCap && triangle != nothing;
 }
 
-// A normal of the body, as a glyph has rotated it.
-vec3 RotatedNormal(const GlyphSetRecord set, const uint number, const vec3 normal)
-{
-  vec3 rotated = normal;
-  if (Has(set.variants, SECTION_MOVES) && Has(set.variants, ANGULAR_VELOCITIES))
-  {
-    vec4 rotation = RotationSince(set, number, TimeOf(set));
-    rotated = Rotate(rotation.xyz, rotation.w, normal);
-  }
-  return rotated;
-}
-
-// The center of a glyph at rest with the body: of one that takes the body along, that at time zero.
-DoubleWord3 CenterAtBody(const GlyphSetRecord set, const uint number, const Glyph glyph)
-{
-  DoubleWord3 center = DoubleWord3(glyph.center, glyph.centerLow);
-  if (Has(set.variants, SECTION_MOVES) && Has(set.variants, VELOCITIES | ACCELERATIONS))
-  {
-    center = Add(center, DoubleWord3(-Displacement(set, number, TimeOf(set)), vec3(0.0)));
-  }
-  return center;
-}
-
 // The cap's normal, out of what is left.
-vec3 CapNormal(const GlyphSetRecord set, const uint number, const uint triangle)
+vec3 CapNormal(const GlyphSetRecord set, const uint triangle)
 {
   uint plane = triangle - firstCap;
-  vec3 ofSlab = plane < 2u ? set.sectionSlab0.normal : plane < 4u ? set.sectionSlab1.normal : set.sectionSlab2.normal;
-  vec3 normal = RotatedNormal(set, number, ofSlab);
+  vec3 normal = plane < 2u ? set.sectionSlab0.normal : plane < 4u ? set.sectionSlab1.normal : set.sectionSlab2.normal;
   return (plane % 2u == 1u) == (set.sectionKeepsInside != 0u) ? normal : -normal;
 }
 
-// The ray inside one of the body's slabs; with SECTION_MOVES inside the glyph's.
-Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  const SectionSlab slab, const int firstPlane)
+// The ray inside one of the body's slabs.
+Span SlabSpan(const GlyphRay ray, const SectionSlab slab, const int firstPlane)
 {
-  vec3 normal = RotatedNormal(set, number, slab.normal);
-  DoubleWord3 origin = DoubleWord3(ray.origin, ray.originLow);
-  DoubleWord height;
-  if (Has(set.variants, SECTION_MOVES))
-  {
-    // Above the plane through the center, and its height at rest
-    origin = Add(origin, DoubleWord3(-glyph.center, -glyph.centerLow));
-    height = Add(SumOf(Multiply(origin, normal)), SumOf(Multiply(CenterAtBody(set, number, glyph), slab.normal)));
-  }
-  else
-  {
-    height = SumOf(Multiply(origin, normal));
-  }
-  DoubleWord slope = SumOf(TwoProduct(ray.direction, normal));
+  DoubleWord height = SumOf(Multiply(DoubleWord3(ray.origin, ray.originLow), slab.normal));
+  DoubleWord slope = SumOf(TwoProduct(ray.direction, slab.normal));
   // A plane that is not there is no number to divide by a small slope: the product overflows.
   bool openBelow = slab.lower.x == SECTION_UNBOUNDED && slope.hi != 0.0;
   vec2 lower = openBelow ? slab.upper : slab.lower;
@@ -80,16 +42,16 @@ Span SlabSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, c
 }
 
 // The slabs lie in the record, one by one: CPU devices load them once for all lanes.
-Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph)
+Span SectionSpan(const GlyphSetRecord set, const GlyphRay ray)
 {
-  Span span = SlabSpan(set, ray, number, glyph, set.sectionSlab0, 0);
+  Span span = SlabSpan(ray, set.sectionSlab0, 0);
   if (set.sectionSlabs > 1u)
   {
-    span = Intersection(span, SlabSpan(set, ray, number, glyph, set.sectionSlab1, 2));
+    span = Intersection(span, SlabSpan(ray, set.sectionSlab1, 2));
   }
   if (set.sectionSlabs > 2u)
   {
-    span = Intersection(span, SlabSpan(set, ray, number, glyph, set.sectionSlab2, 4));
+    span = Intersection(span, SlabSpan(ray, set.sectionSlab2, 4));
   }
   return span;
 }
@@ -141,13 +103,13 @@ bool IsBetween(const DoubleWord3 position, const SectionSlab slab)
 }
 
 // Whether the glyph is not there as a whole.
-bool IsLeftOut(const GlyphSetRecord set, const uint number, const Glyph glyph)
+bool IsLeftOut(const GlyphSetRecord set, const Glyph glyph)
 {
   if (!Has(set.variants, SECTION) || set.sectionFaces != SECTION_WHOLE)
   {
     return false;
   }
-  DoubleWord3 center = CenterAtBody(set, number, glyph);
+  DoubleWord3 center = DoubleWord3(glyph.center, glyph.centerLow);
   bool inside = IsBetween(center, set.sectionSlab0);
   inside = inside && (set.sectionSlabs < 2u || IsBetween(center, set.sectionSlab1));
   inside = inside && (set.sectionSlabs < 3u || IsBetween(center, set.sectionSlab2));

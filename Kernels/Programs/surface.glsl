@@ -29,7 +29,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   else
   {
     hit.t = t;
-    hit.normal = cap ? CapNormal(set, glyph, triangle) : normal;
+    hit.normal = cap ? CapNormal(set, triangle) : normal;
     hit.shadingNormal = hit.normal;
     // The shapes' bound is 1e-6 sizes (Shapes/README.md).
     hit.error = leavesSurface ? 2e-6 * ExtentOf(set, found) : 0.0;

@@ -37,7 +37,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           ? tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + leaf.x)]
           : leaf.x;
         float low, high;
-        int verdict = Estimate(set, ray, glyph, FetchGlyph(source, glyph), tMin, hit.t, low, high);
+        int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         if (chance && Has(set.variants, END_COLORS) && verdict == RTG_HIT)
         {
           verdict = RTG_UNKNOWN; // the opacity is that at the exact t
@@ -80,7 +80,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     }
     if (candidate != nothing)
     {
-      if (IntersectParts(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
+      if (IntersectCandidate(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
       {
         going = going && !any;
         CullBehind(position, hit.t);
@@ -125,10 +125,10 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
       vec2 range = vec2(tMin, hit.t);
       if (partsOfRay > 1u)
       {
-        bool cuts = CutsGlyphs(set) && !Has(set.variants, SECTION_MOVES);
+        bool cuts = CutsGlyphs(set);
         if (cuts && step % partsOfRay == 0u)
         {
-          body = SectionSpan(set, ray, 0u, SourceOf(set).alike);
+          body = SectionSpan(set, ray);
         }
         range = BeginPart(set, cuts, body, step % partsOfRay, tMin, hit.t);
         found = GlyphCrossing(0u, nothing, nothing, range.y, vec3(0.0));

@@ -289,14 +289,14 @@ void rtglyphs::GlyphSteps::AddVelocities(vtkDataObject* gathered)
   if (now.LacksIds())
   {
     this->AddMessage(
-      GlyphStep::IdsNeeded("VelocityFromPreviousStep", "the glyphs stand still"), "velocities without ids");
+      GlyphStep::IdsNeeded("VelocityArray From Previous Step", "the glyphs stand still"), "velocities without ids");
     return;
   }
   if (!std::isfinite(this->Shown->Time))
   {
     this->AddMessage(
-      "VelocityFromPreviousStep needs the time of the data, which they lack; so the glyphs stand still. Open "
-      "them as a time series, or choose a VelocityArray.",
+      "VelocityArray From Previous Step needs the time of the data, which they lack; so the glyphs stand still. Open "
+      "them as a time series, or choose an array.",
       "no time");
     return;
   }
@@ -310,7 +310,8 @@ void rtglyphs::GlyphSteps::AddVelocities(vtkDataObject* gathered)
   {
     std::ostringstream text;
     text << alone << " of " << now.GetPoints()
-         << " points stand still, because VelocityFromPreviousStep finds no point, or several, with their ids in the "
+         << " points stand still, because VelocityArray From Previous Step finds no point, or several, with their ids "
+            "in the "
             "step shown before, at time "
          << this->Before->Time << ". Choose another PointIdArray if they were there. Later steps are not reported.";
     this->AddMessage(text.str(), "no partner");

@@ -1,6 +1,5 @@
 /**
- * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own, and
- * differ from these by their prefix.
+ * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own.
  */
 #ifndef RayTracedArrays_h
 #define RayTracedArrays_h
@@ -26,8 +25,8 @@ constexpr const char* CellIds = "vtkRayTraced_CellIds";
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 /// Of each point: the rank that it comes from. Missing where there is one.
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
-/// Of each point: its velocity since the step shown before. Optional.
-constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
+/// Of each point: its velocity since the step shown before. Missing unless VelocityArray names it.
+constexpr const char* StepVelocity = "From Previous Step";
 /// Of each point: where it was in earlier steps (GlyphSteps). Missing unless requested.
 constexpr const char* Trail = "vtkRayTraced_Trail";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
@@ -61,10 +60,10 @@ constexpr vtkTypeInt64 InputId(vtkTypeInt64 id)
 }
 ///@}
 
-/// Whether an array is one of the above that users do not choose.
+/// Whether an array is one of the above that the input does not have.
 inline bool IsOwn(const std::string& name)
 {
-  return name.rfind("vtkRayTraced_", 0) == 0;
+  return name.rfind("vtkRayTraced_", 0) == 0 || name == StepVelocity;
 }
 
 ///@{

@@ -38,31 +38,15 @@ const struct
   { "MotionBlurMask", { 1 }, &rtglyphs::GlyphMotion::Settings::Mask, nullptr },
 };
 
-std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
+const std::string& NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
-  return kind == LINEAR && settings.FromPreviousStep ? rtglyphs::RayTracedArrays::StepVelocity
-                                                     : settings.*kinds[kind].Name;
+  return settings.*kinds[kind].Name;
 }
 
 bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
   return !rtglyphs::RayTracedArrays::IsNone(NameOf(settings, kind));
 }
-}
-
-//----------------------------------------------------------------------------
-rtglyphs::GlyphMotion::Settings rtglyphs::GlyphMotion::Settings::Effective() const
-{
-  if (!this->On)
-  {
-    return Settings();
-  }
-  Settings settings = *this;
-  if (settings.FromPreviousStep)
-  {
-    settings.Velocity.clear();
-  }
-  return settings;
 }
 
 //----------------------------------------------------------------------------
@@ -131,7 +115,7 @@ std::string rtglyphs::GlyphMotion::MissingInput(const Settings& settings)
   return !settings.On || any
     ? std::string()
     : "MotionBlur needs velocities. Choose a point array of 2 or 3 components as VelocityArray, "
-      "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
+      "set that to From Previous Step, or switch MotionBlur off.";
 }
 
 //----------------------------------------------------------------------------

@@ -36,18 +36,17 @@ public:
   {
     bool On = false;
     // Names of point arrays of two components, in a plane, or three; empty or "None": none
-    std::string Velocity;
-    bool FromPreviousStep = false; // the velocities are those of GlyphSteps instead
+    std::string Velocity; // also RayTracedArrays::StepVelocity
     std::string Acceleration;
     std::string AngularVelocity; // radians per time
     std::string Mask;            // of one component: points where it is 0 or NaN stand still; empty or "None": none do
-    double ShutterTime = 1.0;    // in the arrays' unit of time, > 0
+    double ShutterTime = 0.0;    // in the arrays' unit of time; 0: by the data (RayTracedTime)
     int Opening = CENTERED;
 
     bool operator==(const Settings&) const = default;
 
     /// With all that has no effect at its default.
-    Settings Effective() const;
+    Settings Effective() const { return this->On ? *this : Settings(); }
   };
 
   /**

@@ -169,7 +169,7 @@ void rtglyphs::RayTracedRendering::Render(
   }
   parts.UpdateActor(this->Owner->Actor);
   std::string problem;
-  *parts.Section = this->Section.Make(this->Common.Time.Motion.On, problem);
+  *parts.Section = this->Section.Make(problem);
   this->ReportAnew(problem, this->SectionProblem);
   const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
   vtkDataObject* delivered =

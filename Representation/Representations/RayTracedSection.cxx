@@ -31,7 +31,7 @@ void Check(const char* name, std::span<const double> numbers, bool good, const c
 }
 
 //----------------------------------------------------------------------------
-rtg::Section rtglyphs::RayTracedSection::Make(bool blurs, std::string& problem) const
+rtg::Section rtglyphs::RayTracedSection::Make(std::string& problem) const
 {
   rtg::Section section;
   if (this->Kind == Kinds::None)
@@ -39,7 +39,6 @@ rtg::Section rtglyphs::RayTracedSection::Make(bool blurs, std::string& problem) 
     return section;
   }
   section.keepsInside = this->Invert;
-  section.moves = this->Moves && blurs;
   const Faces faces = this->Face;
   section.faces = faces == Faces::ColoredCaps ? rtg::Section::Faces::Caps : static_cast<rtg::Section::Faces>(faces);
   if (faces == Faces::ColoredCaps)

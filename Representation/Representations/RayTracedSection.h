@@ -31,7 +31,6 @@ struct RayTracedSection
   RayTracedEnum<Kinds, Kinds::None, Kinds::Box> Kind;
   RayTracedEnum<Faces, Faces::Caps, Faces::ColoredCaps> Face;
   bool Invert = true;
-  bool Moves = false;             // with moving glyphs
   std::array<double, 3> Origin{}; // of the plane
   std::array<double, 3> Normal{ { 1.0, 0.0, 0.0 } };
   double Thickness = 0.0;           // of the slab about the plane; 0: all on one side
@@ -41,10 +40,9 @@ struct RayTracedSection
   std::array<double, 3> CapColor{ { 1.0, 1.0, 1.0 } };
 
   /**
-   * The same for the kernels. `blurs`: glyphs move. Where there is a `problem`, which is to be reported, nothing is
-   * cut.
+   * The same for the kernels. Where there is a `problem`, which is to be reported, nothing is cut.
    */
-  rtg::Section Make(bool blurs, std::string& problem) const;
+  rtg::Section Make(std::string& problem) const;
 };
 }
 

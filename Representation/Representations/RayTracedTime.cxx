@@ -1,28 +1,26 @@
 #include "RayTracedTime.h"
 
 #include "GlyphShutterGuess.h"
+#include "RayTracedArrays.h"
 #include "RayTracedRanks.h"
 
 namespace rtglyphs
 {
 
 //----------------------------------------------------------------------------
-void RayTracedTime::SetShutterTimeFromData(bool on)
+void RayTracedTime::SetShutterTime(double time)
 {
-  this->ShutterTimeFromData = on;
-  this->ShutterGuess.Forget();
-  this->ShutterTime = 0.0;
+  this->Motion.ShutterTime = time;
+  this->Kept.Forget();
 }
 
 //----------------------------------------------------------------------------
 GlyphMotion::Settings RayTracedTime::GetMotion() const
 {
   GlyphMotion::Settings motion = this->Motion;
-  if (this->ShutterTimeFromData)
+  if (motion.ShutterTime == 0.0)
   {
-    // While nothing moves any will do.
-    const double known = this->ShutterTime > 0.0 ? this->ShutterTime : motion.ShutterTime;
-    motion.ShutterTime = known > 0.0 ? known : 1.0;
+    motion.ShutterTime = this->ShutterGuess > 0.0 ? this->ShutterGuess : 1.0; // while nothing moves any will do
   }
   return motion;
 }
@@ -40,18 +38,18 @@ GlyphMotion::Settings RayTracedTime::GetMotionOfPoints() const
 void RayTracedTime::UpdateShutterTime(
   vtkPolyData* points, const std::function<GlyphSettings(double& unitSize)>& sizes, double time)
 {
-  if (!this->ShutterTimeFromData || !this->Motion.On)
+  if (this->Motion.ShutterTime != 0.0 || !this->Motion.On)
   {
     return;
   }
-  if (this->Motion.FromPreviousStep)
+  if (this->Motion.Velocity == RayTracedArrays::StepVelocity)
   {
-    this->ShutterTime = RayTracedRanks::Largest(this->Steps.GetStepLength());
+    this->ShutterGuess = RayTracedRanks::Largest(this->Steps.GetStepLength());
     return;
   }
   double unitSize = 1.0;
   const GlyphSettings settings = sizes(unitSize);
-  this->ShutterTime = GlyphShutterGuess::Update(this->ShutterGuess, points, settings, unitSize, time);
+  this->ShutterGuess = GlyphShutterGuess::Update(this->Kept, points, settings, unitSize, time);
 }
 
 } // namespace rtglyphs

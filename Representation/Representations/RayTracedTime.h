@@ -20,21 +20,15 @@ class RayTracedTime
 public:
   GlyphMotion::Settings Motion; // as the properties say
   GlyphSteps Steps;
+  double ShutterGuess = 0.0; // the shutter time that the data suggest; 0: none
 
   /**
-   * Whether the points must be gathered anew.
+   * 0: as the data suggest, from now on.
    */
-  bool SetVelocityFromPreviousStep(bool on)
-  {
-    this->Motion.FromPreviousStep = on;
-    return this->Steps.SetVelocities(on);
-  }
-
-  void SetShutterTimeFromData(bool on);
-  double GetShutterTimeGuess() const { return this->ShutterTime; }
+  void SetShutterTime(double time);
 
   /**
-   * The properties, with the shutter time that the data suggest.
+   * The properties, with that shutter time.
    */
   GlyphMotion::Settings GetMotion() const;
 
@@ -50,9 +44,7 @@ public:
   void UpdateShutterTime(vtkPolyData* points, const std::function<GlyphSettings(double& unitSize)>& sizes, double time);
 
 private:
-  bool ShutterTimeFromData = true;
-  double ShutterTime = 0.0; // that the data suggest; 0: none
-  GlyphKeptGuess ShutterGuess;
+  GlyphKeptGuess Kept;
 };
 }
 

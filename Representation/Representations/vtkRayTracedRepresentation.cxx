@@ -439,6 +439,14 @@ void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetVelocityArray(const char* name)
+{
+  rtglyphs::RayTracedTime& time = this->Common.Time;
+  this->SetArray(time.Motion.Velocity, name);
+  this->GatherIf(time.Steps.SetVelocities(time.Motion.Velocity == rtglyphs::RayTracedArrays::StepVelocity));
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetGlyphShape(int shape)
 {
   if (!rtglyphs::GlyphShapes::IsKnown(shape))
@@ -467,7 +475,7 @@ void vtkRayTracedRepresentation::SetInterpolation(int interpolation)
 //----------------------------------------------------------------------------
 double* vtkRayTracedRepresentation::GetDataSummary()
 {
-  this->Common.Summary[rtglyphs::DataSummary::SHUTTER_TIME] = this->Common.Time.GetShutterTimeGuess();
+  this->Common.Summary[rtglyphs::DataSummary::SHUTTER_TIME] = this->Common.Time.ShutterGuess;
   return this->Common.Summary.data();
 }
 
@@ -478,6 +486,7 @@ void vtkRayTracedRepresentation::SetDataSummary(const double numbers[11])
   if (this->GetNumberOfInputConnections(0) == 0)
   {
     std::copy_n(numbers, this->Common.Summary.size(), this->Common.Summary.begin());
+    this->Common.Time.ShutterGuess = this->Common.Summary[rtglyphs::DataSummary::SHUTTER_TIME];
   }
 }
 

@@ -77,19 +77,16 @@ public:
   ///@{
   /**
    * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
-   * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphSteps, where
-   * an array of one component, by default the global ids, identifies points. See GlyphMotion::Settings for
-   * defaults.
+   * open (0: by the data), and when that is, of GlyphMotion::Openings. Velocities may be those of GlyphSteps
+   * (RayTracedArrays::StepVelocity), where an array of one component, by default the global ids, identifies points.
    */
   void SetMotionBlur(bool on) { this->Common.Time.Motion.On = on; }
-  void SetVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.Velocity, name); }
-  void SetVelocityFromPreviousStep(bool on) { this->GatherIf(this->Common.Time.SetVelocityFromPreviousStep(on)); }
+  void SetVelocityArray(const char* name);
   void SetPointIdArray(const char* name) { this->GatherIf(this->Common.Time.Steps.SetPointIdArray(OrEmpty(name))); }
   void SetAccelerationArray(const char* name) { this->SetArray(this->Common.Time.Motion.Acceleration, name); }
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Common.Time.Motion.AngularVelocity, name); }
   void SetMotionBlurMask(const char* name) { this->Common.Time.Motion.Mask = OrEmpty(name); }
-  void SetShutterTimeFromData(bool on) { this->Common.Time.SetShutterTimeFromData(on); }
-  void SetShutterTime(double time) { this->Common.Time.Motion.ShutterTime = OrZero(time); }
+  void SetShutterTime(double time) { this->Common.Time.SetShutterTime(OrZero(time)); }
   void SetShutterOpening(int opening) { this->Common.Time.Motion.Opening = std::clamp(opening, 0, 2); }
   ///@}
 
@@ -112,11 +109,10 @@ public:
   /**
    * A cut: kinds and faces are those of RayTracedSection. Of a plane what lies on the side of its normal is cut off, of
    * a box, or of the slab of that thickness about the plane, what is outside; not inverted the opposite. All in world
-   * coordinates. With `moves` glyphs take their cut along.
+   * coordinates.
    */
   void SetSection(int kind) { this->Rendering.Section.Kind = kind; }
   void SetSectionInvert(bool invert) { this->Rendering.Section.Invert = invert; }
-  void SetSectionMoves(bool moves) { this->Rendering.Section.Moves = moves; }
   void SetSectionOrigin(double x, double y, double z) { this->Rendering.Section.Origin = { x, y, z }; }
   void SetSectionNormal(double x, double y, double z) { this->Rendering.Section.Normal = { x, y, z }; }
   void SetSectionThickness(double thickness) { this->Rendering.Section.Thickness = thickness; }

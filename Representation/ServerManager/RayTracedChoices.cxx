@@ -46,7 +46,6 @@ struct FromData
 };
 constexpr FromData fromData[] = {
   { "ScaleFactor", "ScaleFactorFromData", rtglyphs::DataSummary::SCALE_FACTOR },
-  { "ShutterTime", "ShutterTimeFromData", rtglyphs::DataSummary::SHUTTER_TIME },
   { "ColorArrayName", "ColorFromData", -1 },
   { "GlyphTensorColoring", "ColorFromData", -1 },
   { "GlyphDirectionColoring", "ColorFromData", -1 },

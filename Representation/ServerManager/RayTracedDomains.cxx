@@ -77,11 +77,9 @@ public:
   }
 };
 
-// Values of ShutterTime: from zero to a few times what the data suggest. Required properties:
-// Summary, an information property (DataSummary), and FromData, which says whether what the data suggest counts. The
-// default is to let it count: the value is computed when the view is next updated. ParaView's panel gives domains of
-// bounds a slider and a reset button.
-class ScaleDomain final : public vtkSMBoundsDomain
+// Values of ShutterTime: from zero, the default, to a few times what the data suggest. Required property: Summary, an
+// information property (DataSummary). ParaView's panel gives domains of bounds a slider and a reset button.
+class ShutterDomain final : public vtkSMBoundsDomain
 {
 public:
   void Update(vtkSMProperty*) override
@@ -93,17 +91,10 @@ public:
 
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
   {
-    vtkSMProperty* fromData = this->GetRequiredProperty("FromData");
-    if (!fromData)
-    {
-      return 0;
-    }
-    vtkSMPropertyHelper(fromData).Set(1);
-    fromData->Modified(); // so that the value is computed again
-    if (useUncheckedValues && property->GetParent())
-    {
-      property->GetParent()->UpdateVTKObjects(); // the panel only takes over what it finds unchecked
-    }
+    vtkSMPropertyHelper helper(property);
+    helper.SetUseUnchecked(useUncheckedValues);
+    helper.Set(0.0);
+    property->Modified(); // so that the data are asked again
     return 1;
   }
 };
@@ -273,7 +264,7 @@ void rtglyphs::RayTracedDomains::Register()
     RegisterClass<vtkSMRayTracedArrayListDomain>("vtkSMRayTracedArrayListDomain");
     RegisterClass<LocationDomain>("vtkSMRayTracedLocationDomain");
     RegisterClass<RadiusDomain>("vtkSMRayTracedRadiusDomain");
-    RegisterClass<ScaleDomain>("vtkSMRayTracedScaleDomain");
+    RegisterClass<ShutterDomain>("vtkSMRayTracedShutterDomain");
     return true;
   }();
   static_cast<void>(known);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 namespace
 {
@@ -92,6 +93,21 @@ void ExplainShapes(vtkSMProxy* glyphs, std::vector<std::string>& sentences)
   }
 }
 
+// The shutter time that 0 means.
+void ExplainShutter(vtkSMProxy* display, std::vector<std::string>& sentences)
+{
+  const auto number = [display](const char* name) { return vtkSMPropertyHelper(display, name).GetAsDouble(); };
+  const double found = vtkSMPropertyHelper(rtglyphs::RayTracedChoices::GlyphsOf(display), "DataSummary")
+                         .GetAsDouble(rtglyphs::DataSummary::SHUTTER_TIME);
+  if (number("MotionBlur") != 0.0 && number("ShutterTime") == 0.0 && found > 0.0)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "ShutterTime " << found << ": chosen from the data";
+    sentences.push_back(text.str());
+  }
+}
+
 // What is to be known of periodic domains.
 void ExplainPeriods(vtkSMProxy* display, std::vector<std::string>& sentences)
 {
@@ -123,6 +139,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
 {
   std::vector<std::string> sentences;
   ExplainPeriods(display, sentences);
+  ExplainShutter(display, sentences);
   auto* glyphs = rtglyphs::RayTracedChoices::ShowsGlyphs(display)
     ? vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedChoices::GlyphsOf(display))
     : nullptr;

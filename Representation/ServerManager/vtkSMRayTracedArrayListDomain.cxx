@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
 #include "GlyphArrayRoles.h"
+#include "RayTracedArrays.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -194,7 +195,13 @@ vtkPVDataInformation* vtkSMRayTracedArrayListDomain::GetExtraDataInformation()
   vertices->InsertNextCell(1, &point);
   columns->SetPoints(points);
   columns->SetVerts(vertices);
-  for (const Array& array : JoinedOf(this->InputArrays(), this->GetInputDataInformation("Input")))
+  std::vector<Array> extra = JoinedOf(this->InputArrays(), this->GetInputDataInformation("Input"));
+  if (this->Chosen == VELOCITY)
+  {
+    extra.emplace_back().Name = rtglyphs::RayTracedArrays::StepVelocity;
+    extra.back().Components = 3;
+  }
+  for (const Array& array : extra)
   {
     vtkNew<vtkFloatArray> joined;
     joined->SetName(array.Name.c_str());

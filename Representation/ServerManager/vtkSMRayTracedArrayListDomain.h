@@ -73,7 +73,7 @@ protected:
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
   /**
-   * Columns that can be joined, as arrays of these names, for the list.
+   * Columns that can be joined, as arrays of these names, and velocities from the previous step, for the list.
    */
   vtkPVDataInformation* GetExtraDataInformation() override;
 

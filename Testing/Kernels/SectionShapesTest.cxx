@@ -170,14 +170,13 @@ protected:
     return one;
   }
 
-  // Cuts glyph i of the case in each way. `moves`: it moves and rotates, and the cuts with it.
+  // Cuts glyph i of the case in each way. `moves`: where it is at some time, after it has moved and rotated.
   void Judge(const HardCase& hard, std::uint32_t i, bool moves)
   {
     const float shutter = moves ? 0.9f : 0.0f;
     rtg::GlyphInstances one = Only(hard.instances, i), there = one;
     const double size = ReferenceGlyph(one, 0).Size();
     glm::dvec3 displacement(0.0);
-    glm::dquat turn(1.0, 0.0, 0.0, 0.0);
     if (moves)
     {
       one.motion.velocities = { glm::vec3(3.0 * size * this->Vector()) };
@@ -185,9 +184,8 @@ protected:
       one.motion.angularVelocities = { glm::vec3(3.0 * this->Vector()) };
       const double time = one.motion.Time(shutter);
       displacement = one.motion.Displacement(0, time);
-      turn = one.motion.RotationAt(0, time);
       const glm::dvec4 before(one.rotations.empty() ? glm::vec4(0, 0, 0, 1) : one.rotations[0]);
-      const glm::dquat after = turn * glm::dquat(before.w, before.x, before.y, before.z);
+      const glm::dquat after = one.motion.RotationAt(0, time) * glm::dquat(before.w, before.x, before.y, before.z);
       there.rotations = { glm::vec4(after.x, after.y, after.z, after.w) };
     }
     const auto set = this->scene.Add();
@@ -219,17 +217,14 @@ protected:
       }
     }
     ASSERT_FALSE(inside.empty());
-    const glm::dvec3 center(one.centers[0]);
     for (const Section& section : this->Sections(inside, size))
     {
-      Section atRest = section;
-      atRest.moves = moves;
-      for (Section::Plane& plane : atRest.planes)
+      Section placed = section;
+      for (Section::Plane& plane : placed.planes)
       {
-        plane.point = hard.instances.origin + center + glm::conjugate(turn) * (plane.point - center);
-        plane.normal = glm::conjugate(turn) * plane.normal;
+        plane.point += hard.instances.origin + displacement;
       }
-      this->scene.SetMaterial(set, CutBy(atRest));
+      this->scene.SetMaterial(set, CutBy(placed));
       this->scene.Commit();
       const auto answers = rtg::testing::TraceProbes(this->scene, probes);
       for (std::size_t k = 0; k < aimed.size(); ++k)

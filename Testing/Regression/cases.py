@@ -218,13 +218,13 @@ def periodic(view, checks):
     """Points that cross the border of a periodic box make no streak through the picture."""
     source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=PERIODIC,
                                    ScriptRequestInformation=scale_guess.TIMES % ([0.0, 1.0], 0.0, 1.0))
-    shown = session.glyphs(source, view, "Sphere", MotionBlur=1, VelocityFromPreviousStep=1, PointIdArray="id", ShutterTime=1.0,
+    shown = session.glyphs(source, view, "Sphere", MotionBlur=1, VelocityArray="From Previous Step", PointIdArray="id", ShutterTime=1.0,
                            ScaleFactor=0.3)
     view.ViewTime = 0.0
     session.messages(lambda: (pv.ResetCamera(view), pv.Render(view)))
     view.ViewTime = 1.0
     checks.no_message("periodic", session.messages(lambda: pv.Render(view)))
-    velocity = delivered(shown, "vtkRayTraced_StepVelocity")
+    velocity = delivered(shown, "From Previous Step")
     points = numpy.random.default_rng(1).uniform(0.0, 10.0, (80, 3))
     crossing = points[:, 0] + 0.3 >= 10.0
     checks.true("no point crosses the border", crossing.any())

@@ -313,10 +313,8 @@ ROWS = [
     Row("VelocityArray", "upward", spread(-0.25 / 12.0, 0.25 / 12.0), **BLUR),
     Row("ShutterTime", 0.5, spread(-0.1875 / 12.0, 0.0), **BLUR),
     # Three widths of 0.5 at a speed of 0.5; of a surface a twentieth of its side, between the outer percentiles of its points
-    Row("ShutterTimeFromData", 1, reads("ShutterTime", 3.0), kinds=[GLYPHS, TUBES], back=False, **BLUR),
-    Row("ShutterTimeFromData", 1, reads("ShutterTime", 0.048), kinds=[SURFACE], back=False, **BLUR),
-    Row("DataSummary", LEFT, reads("DataSummary", [3.0], part=slice(3, 4)), kinds=[GLYPHS, TUBES], **{**BLUR, "ShutterTimeFromData": 1}),
-    Row("DataSummary", LEFT, reads("DataSummary", [0.048], part=slice(3, 4)), kinds=[SURFACE], **{**BLUR, "ShutterTimeFromData": 1}),
+    Row("DataSummary", LEFT, reads("DataSummary", [3.0], part=slice(3, 4)), kinds=[GLYPHS, TUBES], **{**BLUR, "ShutterTime": 0.0}),
+    Row("DataSummary", LEFT, reads("DataSummary", [0.048], part=slice(3, 4)), kinds=[SURFACE], **{**BLUR, "ShutterTime": 0.0}),
     Row("ShutterOpening", "Forward", moved(0.25, 0.0), **BLUR),
     # The mean of a t t / 2 over the shutter's time
     Row("AccelerationArray", "push", moved(0.8 / 6.0, 0.0), ShutterOpening="Forward", **BLUR),
@@ -324,8 +322,8 @@ ROWS = [
     Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphType="Box", SelectScaleArray="lengths", ScaleMode="Vector Components", MotionBlur=1, ShutterTime=1.0, VelocityArray="None"),
     Row("MotionBlurMask", "index", spread(-0.25 / 12.0, 0.0), **BLUR),
     Row("MotionBlurMask", "other index", as_with(MotionBlurMask="None"), **{**BLUR, "MotionBlurMask": "index"}),
-    Row("VelocityFromPreviousStep", 1, streaks, PointIdArray="point", **STEPS),
-    Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
+    Row("VelocityArray", "From Previous Step", streaks, PointIdArray="point", **STEPS),
+    Row("PointIdArray", "point", streaks, **{**STEPS, "VelocityArray": "From Previous Step", "PointIdArray": "changing"}),
     # Cuts: areas of half a disc, of a segment, of squares; where their middles are
     # A ball of diameter 0.5 and its images at either side, one of them outside of the picture
     Row("PeriodicBoundary", 1, area(3.0 * DISC / 4.0), scene="small", PeriodicImages=[1, 1, 0], PeriodicVectors=[2.0, 0.0, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, 1.0]),
@@ -341,9 +339,6 @@ ROWS = [
     Row("SectionOrigin", [0.25, 0.0, 0.0], area(DISC - SEGMENT), **PLANE),
     Row("SectionNormal", [0.0, 2.0, 0.0], moved(2.0 / (3.0 * numpy.pi), -2.0 / (3.0 * numpy.pi)), **PLANE),
     Row("SectionThickness", 0.5, area(DISC - 2.0 * SEGMENT), **PLANE),
-    # At rest the plane touches the ball, which passes it.
-    Row("SectionMoves", 1, area(DISC / 4.0), kinds=[GLYPHS, TUBES], SectionOrigin=[-0.15, 0.0, 0.0], **BLUR, **PLANE),
-    Row("SectionMoves", 1, as_before, kinds=[SURFACE], SectionOrigin=[-0.15, 0.0, 0.0], **BLUR, **PLANE),
     Row("SectionPosition", [0.0, 0.05, -0.1], moved(0.1, 0.15), **{**BOX, "SectionPosition": [-0.1] * 3}, SectionLength=[0.2] * 3),
     Row("SectionRotation", [0.0, 0.0, 45.0], moved(-0.1, 0.1 * (numpy.sqrt(2.0) - 1.0)), **{**BOX, "SectionPosition": [-0.1] * 3}, SectionLength=[0.2] * 3),
     Row("SectionLength", [0.25, 0.5, 0.5], area(0.125), **BOX, **{"SectionLength": [0.5] * 3}),

@@ -22,7 +22,7 @@ EFFECTS = [("GlyphScaleFunction", seen, settings) for seen, settings in (
     (True, {"ScaleMode": "Magnitude"}), (True, {"GlyphShape": "Capsule"}), (False, {"ScaleMode": "No Data Scaling Off"}))] + [
     ("GlyphTensorAxis", True, {"GlyphShape": "Tensor Ellipsoid"}), ("GlyphTensorAxis", False, {"GlyphShape": "Capsule"}),
     ("AngularVelocityArray", True, {"MotionBlur": 1}), ("AngularVelocityArray", False, {"GlyphShape": "Principal Axes"}),
-    ("VelocityArray", True, {}), ("VelocityArray", False, {"VelocityFromPreviousStep": 1}), ("PointIdArray", True, {}), ("PointIdArray", False, {"MotionBlur": 0}),
+    ("PointIdArray", False, {}), ("PointIdArray", True, {"VelocityArray": "From Previous Step"}), ("PointIdArray", False, {"MotionBlur": 0}),
     ("AngularVelocityArray", False, {"MotionBlur": 1, "GlyphShape": "Capsule", "Representation": "Ray Traced Tubes"})]
 ORIENTATION = {"Orient", "OrientationMode", "SelectOrientationVectors"}
 

@@ -290,7 +290,12 @@ def compare(checks, what):
     checks.equal(what + ": factor", factor(shown, view), PLAIN)
     shown.MotionBlur = 1
     pv.Render(view)
-    checks.within(what + ": streaks, in glyph sizes", shown.ShutterTime * 2.0 / PLAIN, 2.9, 3.0)
+    time = shown.SMProxy.GetProperty("DataSummary").GetElement(3)
+    checks.within(what + ": streaks, in glyph sizes", time * 2.0 / PLAIN, 2.9, 3.0)
+    chosen = session.capture(view, "scale-guess-streaks")
+    shown.ShutterTime = time
+    checks.true(what + ": the picture of the chosen ShutterTime", (session.capture(view, "scale-guess-same-streaks") == chosen).all())
+    shown.ShutterTime = 0.0
     shown.MotionBlur = 0
     shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "s"
     checks.equal(what + ": factor with scaling", factor(shown, view), SCALED)

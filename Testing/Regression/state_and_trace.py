@@ -23,8 +23,8 @@ STATE, TRACE, VALUES = "state.pvsm", "trace.py", "state-values.json"
 #: what scripts and the window ask for at the moment, which nothing keeps; and what other values of other properties end,
 #: whose own tests are view_settings.py and gui.py
 MOMENTARY = {"FeatureImageFile", "StopRefinement", "SamplesPerRender", "RenderingQuality", "ColorFromData"}
-#: who sets ScaleFactor or ShutterTime has chosen it; of what is hidden there is no picture
-OTHERS = {"ScaleFactorFromData": 0, "ShutterTimeFromData": 0, "Visibility": 1}
+#: who sets ScaleFactor has chosen it; of what is hidden there is no picture
+OTHERS = {"ScaleFactorFromData": 0, "Visibility": 1}
 #: what showing a display as ray-traced glyphs switches on
 SWITCHED_ON = {"Orient", "Scaling", "ScaleFactorFromData"}
 #: what pictures are taken with

@@ -104,9 +104,8 @@ class Series:
         self.view.ViewTime = STEPS[0][0]
         self.shown = session.glyphs(source, self.view, samples=16, Orient=0, ScaleFactor=0.2)
         session.solid(self.shown, (1.0, 1.0, 1.0))
-        self.shown.MotionBlur, self.shown.VelocityArray, self.shown.AccelerationArray = 1, "None", "None"
+        self.shown.MotionBlur, self.shown.VelocityArray, self.shown.AccelerationArray = 1, "From Previous Step", "None"
         self.shown.PointIdArray = ids
-        self.shown.VelocityFromPreviousStep = 1
 
     def delivered(self):
         """The points that are rendered: id, x, velocity, sorted."""
@@ -119,7 +118,7 @@ class Series:
             if data.GetNumberOfPoints() > 0:
                 parts.append(numpy.concatenate([
                     vtk_to_numpy(values.GetArray("who"))[:, None], vtk_to_numpy(data.GetPoints().GetData())[:, :1],
-                    vtk_to_numpy(values.GetArray("vtkRayTraced_StepVelocity"))], axis=1))
+                    vtk_to_numpy(values.GetArray("From Previous Step"))], axis=1))
             leaf.GoToNextItem()
         rows = numpy.concatenate(parts)
         return rows[numpy.lexsort((rows[:, 1], rows[:, 0]))]
@@ -151,6 +150,9 @@ class Series:
 def steps(failures, view):
     """Forwards, in jumps, and backwards; an empty step; the same step again."""
     shown = Series(failures, "steps", view, series())
+    offered = shown.shown.GetProperty("VelocityArray").GetAvailable()
+    if "From Previous Step" not in offered or "From Previous Step" in shown.shown.GetProperty("AccelerationArray").GetAvailable():
+        failures.append("velocities to choose from: %s" % offered)
     shown.go(0, None)  # all stand still
     shown.go(1, 0)
     shown.go(1, 0)
@@ -164,11 +166,11 @@ def steps(failures, view):
     # The properties that need nothing new leave all as it is; switched off and on, it begins anew.
     shown.shown.ShutterTime = 0.5
     shown.go(2, 1)
-    shown.shown.VelocityFromPreviousStep = 0
+    shown.shown.VelocityArray = "None"
     said = session.messages(lambda: pv.Render(shown.view))
     if said.count("Warning:") != 1 or "VelocityArray" not in said:
         failures.append("switched off, and without a VelocityArray: not one message: " + said)
-    shown.shown.VelocityFromPreviousStep = 1
+    shown.shown.VelocityArray = "From Previous Step"
     shown.go(2, None)
     shown.end()
 

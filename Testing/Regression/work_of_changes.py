@@ -152,7 +152,6 @@ FIELDS = {
     "GlyphMotion::Settings": {
         "On": ({**MOTION, "MotionBlur": 0}, "MotionBlur", 1, "glyphs"),
         "Velocity": [(MOTION, "VelocityArray", "spin", "glyphs"), ({}, "VelocityArray", "velocity", "nothing")],
-        "FromPreviousStep": "needs time steps; see step_velocity.py",
         "Acceleration": [(MOTION, "AccelerationArray", "spin", "glyphs"), ({}, "AccelerationArray", "spin", "nothing")],
         "AngularVelocity": [(MOTION, "AngularVelocityArray", "None", "glyphs"), ({}, "AngularVelocityArray", "spin", "nothing")],
         "Mask": [(MOTION, "MotionBlurMask", "index", "glyphs"), ({}, "MotionBlurMask", "index", "nothing")],
@@ -206,7 +205,6 @@ FIELDS = {
         "Kind": ({}, "Section", "Plane", "image"),
         "Face": [(PLANE, "SectionCaps", "Open", "image"), ({}, "SectionCaps", "Open", "nothing")],
         "Invert": [(PLANE, "SectionInvert", 0, "image"), ({}, "SectionInvert", 0, "nothing")],
-        "Moves": [({**PLANE, **MOTION}, "SectionMoves", 1, "image"), (PLANE, "SectionMoves", 1, "nothing")],
         "Thickness": [(PLANE, "SectionThickness", 0.5, "image"), ({}, "SectionThickness", 0.5, "nothing")],
         "Origin": [(PLANE, "SectionOrigin", [0.1, 0.0, 0.0], "image"), ({}, "SectionOrigin", [0.1, 0.0, 0.0], "nothing")],
         "Normal": [(PLANE, "SectionNormal", [0.0, 1.0, 0.0], "image"), (PLANE, "SectionNormal", [2.0, 0.0, 0.0], "nothing")],
