@@ -109,7 +109,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   set.instances = std::move(instances);
   set.instancesChanged = true;
   set.measured = false;
-  set.boxes = {};
+  set.boxes = std::vector<Box>(); // = {} would keep the memory
   // Colors are by glyph: those of the old glyphs mean nothing now.
   set.colors = {};
   set.colorsChanged = true;
@@ -318,7 +318,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     if (!set.Shown() && !set.kept)
     {
       this->Withdraw(set);
-      set.boxes = {};
+      set.boxes = std::vector<Box>();
     }
   }
   const float reach = this->Measure();

@@ -6,6 +6,7 @@
 #include "TimeSlices.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rtg
 {
@@ -37,8 +38,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
   PlacedMesh mesh = this->Withdraw(set).mesh;
   Stopwatch watch;
   // Measure() has listed the boxes, unless old instances are placed anew.
-  std::vector<Box> list = std::move(set.boxes);
-  set.boxes = {};
+  std::vector<Box> list = std::exchange(set.boxes, std::vector<Box>());
   if (list.empty())
   {
     list = ListedBoxes(set.instances);

@@ -72,7 +72,7 @@ public:
     this->Out.Points = std::move(candidates);
     if (!this->NeedsLowParts)
     {
-      this->Instances.centersLow = {};
+      this->Instances.centersLow = std::vector<glm::vec3>(); // = {} would keep the memory
     }
     if (this->Parts > 1 || numbers[SHOWN] < count)
     {

@@ -82,8 +82,8 @@ std::size_t BeginOf(int rank, int ranks, std::size_t pixels)
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedEdges::Forget()
 {
-  this->Colors = {};
-  this->Depths = {};
+  this->Colors = std::vector<std::uint32_t>(); // = {} would keep the memory
+  this->Depths = std::vector<float>();
 }
 
 //----------------------------------------------------------------------------

@@ -189,7 +189,7 @@ void rtglyphs::TubePieces::Build(vtkIdType lines)
     [](float& least, float own) { least = std::min(least, own); });
   if (!(std::ldexp(extent, -24) > 1e-6 * thinnest))
   {
-    all.centersLow = {};
+    all.centersLow = std::vector<glm::vec3>(); // = {} would keep the memory
   }
 }
 

@@ -2,8 +2,10 @@
 next render without the limit is right.
 
 Usage: pvpython memory_limit.py MEGABYTES
+       pvpython memory_limit.py held
        mpiexec -n 2 pvbatch memory_limit.py ranks
 MEGABYTES: that the process may take beyond what it has before the glyphs are made, which take some 100.
+held: what the process keeps of glyphs after their picture.
 ranks: memory runs out on one rank while data are gathered and measured; the others must not wait for it.
 """
 import ctypes
@@ -24,6 +26,57 @@ def show(source, view):
     shown = session.glyphs(source, view, Orient=0, ScaleFactor=0.02)
     session.solid(shown, (0.9, 0.8, 0.3))
     return shown
+
+
+class Allocations(ctypes.Structure):
+    """struct mallinfo2 of glibc."""
+
+    _fields_ = [(name, ctypes.c_size_t) for name in ("arena", "ordblks", "smblks", "hblks", "mapped", "usmblks", "fsmblks", "used", "free", "keepcost")]
+
+
+def held_bytes(statistics):
+    """Bytes that are allocated, without the device's, which some lavapipes have in files of memory."""
+    library = ctypes.CDLL("libc.so.6")
+    library.mallinfo2.restype = Allocations
+    found = library.mallinfo2()
+    with open("/proc/self/maps") as maps:
+        apart = "/memfd:allocation" in maps.read()
+    return found.used + found.mapped - (0 if apart else statistics["deviceBytes"])
+
+
+def held():
+    """The arrays that the kernels compare with the next ones, and the order of the glyphs; no low parts of centers, which are zero."""
+    session.load()
+    checks = Checks()
+    generator = numpy.random.default_rng(1)
+    view = session.view(80, 60)
+    session.look(view, (0.0, 0.0, 6.0))
+    centers = (generator.integers(-1024, 1024, (POINTS, 3)) / 1024.0).astype(numpy.float32)  # no rounding
+    directions = generator.uniform(-1.0, 1.0, (POINTS, 3)).astype(numpy.float32)
+    few = session.source(session.poly_data(centers[:100], direction=directions[:100]))
+    many = session.source(session.poly_data(centers, direction=directions))
+
+    def shown_as(source, shape):
+        """The display, after its picture."""
+        shown = session.glyphs(source, view, shape, Orient=int(shape != "Sphere"), SelectOrientationVectors="direction", ScaleFactor=0.02,
+                               ScaleMode="Magnitude", SelectScaleArray="direction")
+        session.solid(shown, (0.9, 0.8, 0.3))
+        pv.Render(view)
+        return shown
+
+    # Bytes of a center, a size, a rotation, and a place in the order
+    for shape, arrays in (("Sphere", 12 + 4 + 4), ("Box", 12 + 4 + 16 + 4)):
+        pv.Delete(shown_as(few, shape))  # its program stays
+        shown = shown_as(many, shape)
+        shown.Visibility = 0
+        pv.Render(view)
+        before = held_bytes({"deviceBytes": 0})
+        shown.Visibility = 1
+        pv.Render(view)
+        after = held_bytes(session.statistics(shown))
+        checks.within(shape + ": bytes that a glyph keeps", (after - before) / POINTS, arrays, arrays + 6)
+        pv.Delete(shown)
+    checks.report()
 
 
 def limited(megabytes):
@@ -115,4 +168,4 @@ def on_one_rank():
 
 
 if __name__ == "__main__":
-    on_one_rank() if sys.argv[1] == "ranks" else limited(int(sys.argv[1]))
+    {"ranks": on_one_rank, "held": held}.get(sys.argv[1], lambda: limited(int(sys.argv[1])))()
