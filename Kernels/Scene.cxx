@@ -94,7 +94,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   CheckInstances(instances, this->state_->mostElements);
   if (!HasExponents(instances.shape))
   {
-    instances.exponents3.clear();
+    instances.exponents3 = std::vector<glm::vec3>();
   }
   if (instances.shape != Shape::Polynomial)
   {

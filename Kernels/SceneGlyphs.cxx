@@ -68,7 +68,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     Stopwatch building;
     if (set.instances.motion.Any())
     {
-      list = {}; // each slice of time has its own
+      list = std::vector<Box>(); // each slice of time has its own
     }
     if (this->structure == Structure::Tree)
     {
@@ -81,7 +81,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
       this->BuildBoxes(set, placed, { set.instances, list, SlabPadding(placed.builtReach) });
     }
     this->statistics->buildSeconds += building.Lap();
-    list = {};
+    list = std::vector<Box>();
     this->progress.Add(set.count);
   }
   this->SendArrays(set, placed);

@@ -25,7 +25,7 @@ constexpr const char* CellIds = "vtkRayTraced_CellIds";
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 /// Of each point: the rank that it comes from. Missing where there is one.
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
-/// Of each point: its velocity since the step shown before. Missing unless VelocityArray names it.
+/// Of each point: its velocity since the step shown before, which VelocityArray names. Optional.
 constexpr const char* StepVelocity = "From Previous Step";
 /// Of each point: where it was in earlier steps (GlyphSteps). Missing unless requested.
 constexpr const char* Trail = "vtkRayTraced_Trail";

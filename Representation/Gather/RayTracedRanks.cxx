@@ -218,7 +218,7 @@ std::vector<char> rtglyphs::RayTracedRanks::Exchange(std::vector<std::vector<cha
   {
     controller->GatherV(
       messages[to].data(), arrived.data(), lengths[to], arriving.data(), begins.data(), static_cast<int>(to));
-    messages[to] = {};
+    messages[to] = std::vector<char>(); // = {} would keep the memory
   }
   return arrived;
 }

@@ -202,7 +202,7 @@ private:
     this->Motion.Finish(this->Instances.motion);
     if (this->Maker.IsRound())
     {
-      this->Instances.motion.angularVelocities.clear(); // rotations are invisible
+      this->Instances.motion.angularVelocities = std::vector<glm::vec3>(); // rotations are invisible
     }
   }
 

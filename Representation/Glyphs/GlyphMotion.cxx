@@ -75,7 +75,7 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     std::ostringstream text;
     text << "ShutterTime is " << settings.ShutterTime
          << ", so there is no motion blur. Set it to a positive number, in the "
-            "data's unit of time, or switch MotionBlur off.";
+            "data's unit of time, or to 0, which the data choose, or switch MotionBlur off.";
     this->Messages_.push_back(text.str());
     return;
   }
@@ -184,7 +184,7 @@ void rtglyphs::GlyphMotion::Finish(rtg::GlyphMotion& motion) const
     std::vector<glm::vec3>& values = motion.*kinds[kind].Values;
     if (std::all_of(values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
     {
-      values.clear();
+      values = std::vector<glm::vec3>();
     }
   }
 }

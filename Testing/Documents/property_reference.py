@@ -99,7 +99,7 @@ def default(entry):
     if re.search(r"\bBy default \w+FromData finds", words(entry), re.IGNORECASE):
         return "from the data"
     for domain in entry:
-        if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain",
+        if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain",
                           "RayTracedRadiusDomain"):
             return "from the data"
         if domain.find("Entry") is not None:

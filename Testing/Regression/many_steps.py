@@ -2,8 +2,6 @@
 
 Usage: pvpython many_steps.py [STEPS]
 """
-import ctypes
-import gc
 import sys
 
 import numpy
@@ -22,21 +20,6 @@ def sheet(generator):
     data = session.poly_data(points, v=generator.uniform(-0.2, 0.2, points.shape))
     return session.with_cells(data, "Polys", [(at, at + 1, at + SIDE + 1, at + SIDE) for row in range(SIDE - 1)
                                               for at in range(row * SIDE, row * SIDE + SIDE - 1)])
-
-
-class MallocInformation(ctypes.Structure):
-    """glibc's struct mallinfo2."""
-    _fields_ = [(name, ctypes.c_size_t) for name in (
-        "arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks", "uordblks", "fordblks", "keepcost")]
-
-
-def allocated():
-    """Bytes of this process's heap that are in use. What it has from the system says little: it keeps what was freed."""
-    gc.collect()
-    ask = ctypes.CDLL(None).mallinfo2
-    ask.restype = MallocInformation
-    information = ask()
-    return information.uordblks + information.hblkhd
 
 
 def main():
@@ -63,7 +46,7 @@ def main():
     for step in range(steps + 1):
         if step % settled == 0:
             memory.append(session.memory("VmRSS"))
-            heap.append(allocated())
+            heap.append(session.allocated())
             device.append(session.statistics(shown).get("deviceBytes", 0))
         # Their number is another one each time, now and then it is none.
         session.replace_data(points, cloud(0 if step % 50 == 7 else POINTS - 5 * (step % 20)))

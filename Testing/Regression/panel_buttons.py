@@ -14,7 +14,7 @@ from checks import Checks, cloud
 #: what is set, no default among it
 SET = {"GlyphShape": "Capsule", "ScaleFactor": 0.31, "GlyphScaleFunction": "Square Root", "ScaleMode": "Magnitude", "SelectScaleArray": "scalar",
        "GlyphLegend": "Upper Left", "ShutterTime": 0.5, "ShutterOpening": "Forward", "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
-#: what the data have a say in, whatever was saved or restored
+#: what the data have a say in, whatever was saved or restored; ParaView saves no defaults of what depends on another property
 FROM_DATA = {"ScaleFactor", "SelectScaleArray", "ShutterTime"}
 #: what is chosen by the data, and other values
 OTHERS = {"SelectScaleArray": "other", "SelectOrientationVectors": "force", "GlyphTensorArray": "None", "VelocityArray": "force", "TubeRadius": 7.0,

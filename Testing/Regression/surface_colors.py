@@ -121,7 +121,7 @@ def block_colors(checks):
         shown.SetScalarBarVisibility(view, False)
         checks.no_message("vtkBlockColors, " + kind, session.messages(lambda: pv.Render(view)))
         offered = shown.SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
-        own = [name for name in map(offered.GetString, range(offered.GetNumberOfStrings())) if name.startswith("vtkRayTraced_")]
+        own = [name for name in map(offered.GetString, range(offered.GetNumberOfStrings())) if name.startswith("vtkRayTraced_") or name == "From Previous Step"]
         checks.equal("arrays of the plugin among those to color by, " + kind, own, [])
         for distinct in (4, 2):
             shown.BlockColorsDistinctValues = distinct
