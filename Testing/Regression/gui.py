@@ -395,10 +395,11 @@ def reset(window, view, reader, shown):
     suggested = shown.ScaleFactor
     shown.ScaleFactor = 0.3
     pv.Render(view)
-    # The panel is filled when the window has time.
+    # What the status bar says of the first factor goes away by itself. The panel is filled when the window has time.
+    window.wait(lambda: not window.text("statusbar"), 20)
     clicked = window.wait(lambda: window.click("ScaleFactor/Reset"), 20)
     said = "Scale Factor is now %.3g, chosen from the data" % suggested
-    heard = set()  # ParaView clears the status bar when it has made progress
+    heard = set()
     done = clicked and window.wait(lambda: heard.add(window.text("statusbar")) or (shown.ScaleFactor == suggested and said in heard), 20)
     print("factor %s, after the click %s" % (suggested, shown.ScaleFactor))
     return [] if done and shown.ScaleFactorFromData else [
