@@ -42,13 +42,12 @@ int choosing = 0; // scopes
 struct FromData
 {
   const char *Property, *Switch;
-  int Index; // of a number in DataSummary; negative: RayTracedColoring chooses it
 };
 constexpr FromData fromData[] = {
-  { "ScaleFactor", "ScaleFactorFromData", rtglyphs::DataSummary::SCALE_FACTOR },
-  { "ColorArrayName", "ColorFromData", -1 },
-  { "GlyphTensorColoring", "ColorFromData", -1 },
-  { "GlyphDirectionColoring", "ColorFromData", -1 },
+  { "ScaleFactor", "ScaleFactorFromData" },
+  { "ColorArrayName", "ColorFromData" },
+  { "GlyphTensorColoring", "ColorFromData" },
+  { "GlyphDirectionColoring", "ColorFromData" },
 };
 
 // The choice of arrays depends on these: arrows and bodies have different arrays for orientation and scale.
@@ -506,13 +505,10 @@ void rtglyphs::RayTracedChoices::PullNumbers(vtkSMProxy* glyphs)
   glyphs->UpdatePropertyInformation(summary);
   {
     const Scope scope;
-    for (const FromData& one : fromData)
+    const double found = vtkSMPropertyHelper(summary).GetAsDouble(rtglyphs::DataSummary::SCALE_FACTOR);
+    if (found > 0.0 && vtkSMPropertyHelper(display, "ScaleFactorFromData").GetAsInt())
     {
-      const double found = one.Index < 0 ? 0.0 : vtkSMPropertyHelper(summary).GetAsDouble(one.Index);
-      if (found > 0.0 && vtkSMPropertyHelper(display, one.Switch).GetAsInt())
-      {
-        vtkSMPropertyHelper(display, one.Property).Set(found);
-      }
+      vtkSMPropertyHelper(display, "ScaleFactor").Set(found);
     }
     display->UpdateVTKObjects();
   }

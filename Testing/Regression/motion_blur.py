@@ -160,12 +160,7 @@ def series(failures):
 def shutter(shown, view):
     """The shutter time after a render without a word, and whether the data have chosen it."""
     said = session.messages(lambda: pv.Render(view))
-    return (shown.ShutterTime or found_in_data(shown), shown.ShutterTime == 0.0) if not said.strip() else said
-
-
-def found_in_data(shown):
-    """The shutter time that the data suggest."""
-    return shown.SMProxy.GetProperty("DataSummary").GetElement(3)
+    return (shown.ShutterTime or scale_guess.shutter_time(shown), shown.ShutterTime == 0.0) if not said.strip() else said
 
 
 def from_data(checks):
@@ -242,7 +237,7 @@ def of_others(checks):
     for time in times:
         view.ViewTime = time
         session.messages(lambda: pv.Render(view))
-        found.append(found_in_data(shown))
+        found.append(scale_guess.shutter_time(shown))
     checks.equal("ShutterTime of growing speeds", found[1:3] + found[3:], [found[1], found[1], found[3], found[3]])
     checks.within("streaks of the last step, in glyph sizes", found[-1] / shown.ScaleFactor, 2.7, 3.0 * 2.5)
     shown.VelocityArray, shown.PointIdArray = "From Previous Step", "id"
@@ -250,7 +245,7 @@ def of_others(checks):
         view.ViewTime = time
         session.messages(lambda: pv.Render(view))
         if wanted:
-            checks.equal("ShutterTime between two steps", found_in_data(shown), wanted)
+            checks.equal("ShutterTime between two steps", scale_guess.shutter_time(shown), wanted)
     pv.Delete(view)
 
 

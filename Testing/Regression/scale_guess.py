@@ -282,6 +282,11 @@ def states(checks):
     pv.ResetSession()
 
 
+def shutter_time(shown):
+    """The ShutterTime that the data suggest."""
+    return shown.SMProxy.GetProperty("DataSummary").GetElement(3)
+
+
 def compare(checks, what):
     """What the test's data suggest, wherever they are."""
     view = session.view(80, 60)
@@ -290,7 +295,7 @@ def compare(checks, what):
     checks.equal(what + ": factor", factor(shown, view), PLAIN)
     shown.MotionBlur = 1
     pv.Render(view)
-    time = shown.SMProxy.GetProperty("DataSummary").GetElement(3)
+    time = shutter_time(shown)
     checks.within(what + ": streaks, in glyph sizes", time * 2.0 / PLAIN, 2.9, 3.0)
     chosen = session.capture(view, "scale-guess-streaks")
     shown.ShutterTime = time
