@@ -42,24 +42,37 @@ std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specializati
 
 // lavapipe compiles where it launches, so that what is launched next waits. It keeps what it has compiled on disk, when
 // a device goes at the latest: another device compiles first, beside which this one has nothing left to do.
-std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Specialization& specialization)
+std::atomic<bool> helps{ true }; // the user may have switched that cache off
+
+// Null: there is none. It is made in the thread that wants programs, not in one that compiles them: lavapipe reads
+// variables of the environment then, in which other threads may set or read some (WideVectors in Device.cxx).
+std::shared_ptr<Device> MakeHelper(const Device::State& vulkan)
 {
-  static std::atomic<bool> helps{ true }; // the user may have switched that cache off
-  constexpr double worthSaving = 0.2;     // seconds
-  double before = 0.0, after = 0.0;
-  if (vulkan.cpu && helps)
+  try
   {
-    try
+    return vulkan.cpu && helps ? Device::Another() : nullptr;
+  }
+  catch (const std::exception&) // the own device may have what the other lacked
+  {
+    return nullptr;
+  }
+}
+
+// Seconds that compiling took; zero: it did not help.
+double CompileOn(Device* helper, const Specialization& specialization)
+{
+  double seconds = 0.0;
+  try
+  {
+    if (helper)
     {
-      MakePipeline(Device::Another()->GetState(), specialization, before);
-    }
-    catch (const std::exception&) // this device may have what the other lacked
-    {
+      MakePipeline(helper->GetState(), specialization, seconds);
     }
   }
-  std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization, after);
-  helps = helps && (before < worthSaving || after < 0.5 * before);
-  return pipeline;
+  catch (const std::exception&)
+  {
+  }
+  return seconds;
 }
 
 bool IsCompiling(const Program& program)
@@ -99,9 +112,11 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
     try
     {
       std::thread(
-        [this, program]() mutable
+        [this, program, helper = MakeHelper(*this->device_)]() mutable
         {
-          this->Compile(*program);
+          const double before = CompileOn(helper.get(), program->specialization);
+          helper.reset();
+          this->Compile(*program, before);
           const std::lock_guard<std::mutex> done(this->mutex_);
           program.reset(); // the device may go as soon as nothing is at work
           --this->atWork_;
@@ -120,14 +135,17 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
   return { program, begins };
 }
 
-// The thread that is ready first makes the program.
-void ProgramLibrary::Compile(Program& program)
+// The thread that is ready first makes the program. `before`: seconds that another device took to compile it.
+void ProgramLibrary::Compile(Program& program, double before)
 {
+  constexpr double worthSaving = 0.2; // seconds
   std::unique_ptr<Pipeline> pipeline;
   std::exception_ptr failure;
   try
   {
-    pipeline = MakePipelineAside(*this->device_, program.specialization);
+    double after = 0.0;
+    pipeline = MakePipeline(*this->device_, program.specialization, after);
+    helps = helps && (before < worthSaving || after < 0.5 * before);
   }
   catch (...)
   {
@@ -177,6 +195,10 @@ void ProgramLibrary::CompileAhead(std::vector<Specialization> wanted)
   const std::lock_guard<std::mutex> lock(this->mutex_);
   std::erase_if(wanted, [this](const Specialization& one) { return this->Find(one) != nullptr; });
   this->ahead_ = std::move(wanted);
+  if (!this->ahead_.empty() && !this->helper_)
+  {
+    this->helper_ = MakeHelper(*this->device_);
+  }
   if (!this->ahead_.empty() && !this->worksAhead_)
   {
     try
@@ -198,25 +220,39 @@ std::size_t ProgramLibrary::Ahead()
   return this->ahead_.size() + this->worksAhead_;
 }
 
-// In a thread of its own, because what has the lowest priority keeps it.
+// In a thread of its own, because what has the lowest priority keeps it. One helper compiles all.
 void ProgramLibrary::WorkAhead()
 {
   LowerPriority();
   std::unique_lock<std::mutex> lock(this->mutex_);
   while (!this->ahead_.empty())
   {
-    const Specialization next = this->ahead_.back();
-    this->ahead_.pop_back();
-    if (!this->Find(next))
+    std::shared_ptr<Device> helper = std::move(this->helper_);
+    std::vector<std::pair<std::shared_ptr<Program>, double>> begun;
+    while (!this->ahead_.empty())
     {
-      const std::shared_ptr<Program> program = this->Add(next);
-      program->ahead = true;
-      lock.unlock();
-      this->Compile(*program);
-      lock.lock();
+      const Specialization next = this->ahead_.back();
+      this->ahead_.pop_back();
+      if (!this->Find(next))
+      {
+        begun.emplace_back(this->Add(next), 0.0);
+        begun.back().first->ahead = true;
+        lock.unlock();
+        begun.back().second = CompileOn(helper.get(), next);
+        lock.lock();
+      }
     }
+    lock.unlock();
+    helper.reset();
+    for (auto& [program, before] : begun)
+    {
+      this->Compile(*program, before);
+    }
+    begun.clear();
+    lock.lock();
   }
   this->worksAhead_ = false;
+  this->helper_.reset();
   --this->atWork_;
   this->idle_.notify_all();
 }
