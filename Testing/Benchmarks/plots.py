@@ -76,8 +76,8 @@ def superquadric_solvers():
             axis.plot(x, y, marker="o" if row["arithmetic"] == "float" else "s", markersize=9, color=colors[solvers.index(row["solver"])],
                       fillstyle="none" if wrong else "full")
             if wrong:
-                # Points of both arithmetics lie near each other: one has its label above, one below.
-                axis.annotate("%.2g %%" % (1e-4 * wrong), (x, y), xytext=(0, 8 if row["arithmetic"] == "float" else -15),
+                # Points of both arithmetics lie near each other: one has its label below, one above.
+                axis.annotate("%.2g %%" % (1e-4 * wrong), (x, y), xytext=(0, -15 if row["arithmetic"] == "float" else 8),
                               textcoords="offset points", fontsize=7, ha="center")
         axis.set(xscale="log", yscale="log", xlabel="nanoseconds a ray", title=family)
         axis.grid(alpha=0.3)
