@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace
@@ -33,9 +34,11 @@ double TypicalSize(vtkPolyData* data, const rtglyphs::GlyphSettings& settings, P
 
 rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSettings& settings, double unitSize)
 {
-  const std::array<vtkDataArray*, 4> arrays = rtglyphs::GlyphMotion::Arrays(data, settings.Motion);
-  const bool turns = rtglyphs::RayTracedRanks::Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
-  vtkDataArray* array = arrays[turns ? 2 : 0];
+  const rtglyphs::GlyphMotion::Settings& motion = settings.Motion;
+  const std::array<vtkDataArray*, 4> arrays = rtglyphs::GlyphMotion::Arrays(data, motion);
+  const auto isThere = [&](int kind) { return rtglyphs::RayTracedRanks::Largest(arrays[kind] ? 1.0 : 0.0) > 0.0; };
+  const bool moves = isThere(0), accelerates = !moves && isThere(1), turns = !moves && !accelerates;
+  vtkDataArray* array = arrays[moves ? 0 : accelerates ? 1 : 2];
   array = array && array->GetNumberOfComponents() <= 3 ? array : nullptr;
   const auto speed = [array](vtkIdType point)
   {
@@ -63,7 +66,11 @@ rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSe
     rtglyphs::RayTracedParallel::Largest(moving.Number(), [&](vtkIdType i) { return speed(moving[i]); }));
   const double size = TypicalSize(data, settings, all) * unitSize;
   const double length = size > 0.0 ? streak * size : streakOfNoSize * longest;
-  const double time = std::min(length / typical, std::max(length, longestStreak * longest) / fastest);
+  double time = std::min(length / typical, std::max(length, longestStreak * longest) / fastest);
+  if (accelerates) // from rest, in both halves of a centered shutter the same way
+  {
+    time = (motion.Opening == rtglyphs::GlyphMotion::CENTERED ? 2.0 : 1.0) * std::sqrt(2.0 * time);
+  }
   return { rtg::IsPositive(time) ? TwoDigits(time) : 0.0 };
 }
 }
@@ -81,7 +88,9 @@ double rtglyphs::GlyphShutterGuess::Update(rtglyphs::GlyphKeptGuess& kept, vtkPo
   matter.Sizing = settings.Sizing;
   matter.Motion.On = settings.Motion.On;
   matter.Motion.Velocity = settings.Motion.Velocity;
+  matter.Motion.Acceleration = settings.Motion.Acceleration;
   matter.Motion.AngularVelocity = settings.Motion.AngularVelocity;
+  matter.Motion.Opening = settings.Motion.Opening;
   unitSize = rtg::IsPositive(unitSize) ? unitSize : 1.0;
   return kept.Get(points, matter, unitSize, time, [&](bool) { return Find(points, matter, unitSize); }).Value;
 }

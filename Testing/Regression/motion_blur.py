@@ -195,6 +195,11 @@ def from_data(checks):
         checks.within("speeds of %g: ShutterTime of smaller glyphs, of that of the others" % unit, found / time, 0.31, 0.35)
         shown.VelocityArray, shown.AngularVelocityArray = "None", "spin"
         checks.within("speeds of %g: turn in radians" % unit, shutter(shown, view)[0] * unit, 0.9, 1.1)
+        shown.AngularVelocityArray, shown.AccelerationArray = "None", "velocity"
+        for opening, half in (("Centered", 0.5), ("Forward", 1.0), ("Backward", 1.0)):
+            shown.ShutterOpening = opening
+            way = 0.5 * 0.95 * unit * (half * shutter(shown, view)[0]) ** 2
+            checks.within("accelerations of %g, %s: streaks, in glyph sizes" % (unit, opening), way / shown.ScaleFactor, 2.7, 3.1)
         pv.Delete(shown)
     shown = session.glyphs(source, view, samples=1, MotionBlur=1, Orient=0, ShutterTime=1.0)
     checks.equal("ShutterTime that was set before the first render", shutter(shown, view), (1.0, False))
