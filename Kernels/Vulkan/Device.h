@@ -17,8 +17,7 @@ public:
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 
-  /// Another device of the same kind, for work that would delay this one's launches; not shared. No other thread may
-  /// make an OpenGL context meanwhile: Mesa's drivers read variables of the environment that are set for this one.
+  /// Another device of the same kind, for work that would delay this one's launches; not shared.
   static std::shared_ptr<Device> Another();
 
   struct Choice

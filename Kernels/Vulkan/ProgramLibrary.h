@@ -25,7 +25,6 @@ struct Program
 };
 
 /// Programs stay compiled while the device lives, so that a further view, or one that is made anew, has them at once.
-/// Get() and CompileAhead() make devices: call them in the thread that makes OpenGL contexts (Device::Another()).
 class ProgramLibrary
 {
 public:

@@ -3,16 +3,13 @@
 #include "Variable.h"
 #include "Vulkan/Device.h"
 #include "Vulkan/DeviceState.h"
-#include "Vulkan/ProgramLibrary.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <future>
 #include <iterator>
 #include <string>
 #include <thread>
@@ -111,24 +108,6 @@ TEST(DeviceTest, VectorsAreWideWithAvx512)
   EXPECT_EQ(rtg::Device::Chosen().name, name);
   EXPECT_STREQ(std::getenv(widthVariable), ""); // Mesa's own choice
   EXPECT_EQ(device->GetState().subgroupSize, 16u);
-}
-
-/// The thread that waits may make an OpenGL context meanwhile.
-TEST(DeviceTest, WidthIsMesasWhileShadersAreCompiled)
-{
-  const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
-  rtg::Specialization specialization;
-  specialization.constants.shapes = 1u;
-  specialization.constants.degree = 4321u; // of no other test
-  const char* before = std::getenv(widthVariable);
-  const std::string width = before ? before : "";
-  const auto [program, began] = device->GetState().programs->Get(specialization);
-  EXPECT_TRUE(began);
-  while (program->compiled.wait_for(std::chrono::microseconds(100)) != std::future_status::ready)
-  {
-    const char* now = std::getenv(widthVariable);
-    ASSERT_EQ(now ? now : "", width);
-  }
 }
 
 TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
