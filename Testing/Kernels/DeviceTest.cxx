@@ -99,8 +99,7 @@ TEST(DeviceTest, VectorsAreWideWithAvx512)
     (driver.find("(LLVM 15.") != std::string::npos || driver.find("(LLVM 19.") != std::string::npos);
   if (!device->IsCpu() || !tried || flags.find("avx512vl") == std::string::npos || widthIsSet)
   {
-    GTEST_SKIP() << name << ", " << driver
-                 << ": no lavapipe of a version that was tried, no AVX-512, or the user chose";
+    GTEST_SKIP() << name << ", " << driver << ": no lavapipe of a version that was tried, no AVX-512, or the user chose";
   }
   EXPECT_STREQ(std::getenv(widthVariable), ""); // Mesa's own choice
   EXPECT_NE(name.find("512 bits"), std::string::npos) << name;
