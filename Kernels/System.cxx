@@ -33,14 +33,4 @@ void SetEnvironment(const char* name, const char* value)
 #endif
 }
 
-bool HasAvx512()
-{
-#if defined(__GNUC__) && defined(__x86_64__)
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-#else
-  return false;
-#endif
-}
-
 } // namespace rtg

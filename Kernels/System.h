@@ -10,7 +10,4 @@ void LowerPriority();
 /// Sets a variable of the process's environment.
 void SetEnvironment(const char* name, const char* value);
 
-/// Whether the processor has the instructions of AVX-512 that lavapipe's compiler uses.
-bool HasAvx512();
-
 } // namespace rtg

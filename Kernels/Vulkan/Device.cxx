@@ -23,15 +23,13 @@ namespace
 
 constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
   VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
-constexpr const char* subgroupExtension[] = { VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME };
 
 constexpr const char* remedy =
   "Install a driver for Vulkan 1.2 with shaderInt64: a GPU vendor's, or Mesa 22.3 or newer with lavapipe "
   "(Debian: mesa-vulkan-drivers).";
 
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-  vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR,
-  vk::PhysicalDeviceSubgroupSizeControlFeatures>;
+  vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>;
 
 bool HasExtensions(const vk::raii::PhysicalDevice& physical, std::span<const char* const> names)
 {
@@ -62,18 +60,6 @@ bool HasRayQueries(const vk::raii::PhysicalDevice& physical)
   return HasExtensions(physical, rayExtensions) &&
     FeaturesOf<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>(physical).accelerationStructure &&
     FeaturesOf<vk::PhysicalDeviceRayQueryFeaturesKHR>(physical).rayQuery;
-}
-
-// Lanes of the device's vectors, if programs can require that many; otherwise zero.
-std::uint32_t SubgroupSize(const vk::raii::PhysicalDevice& physical)
-{
-  if (!HasExtensions(physical, subgroupExtension) ||
-    !FeaturesOf<vk::PhysicalDeviceSubgroupSizeControlFeatures>(physical).subgroupSizeControl)
-  {
-    return 0;
-  }
-  const auto sizes = PropertiesOf<vk::PhysicalDeviceSubgroupSizeControlProperties>(physical);
-  return sizes.requiredSubgroupSizeStages & vk::ShaderStageFlagBits::eCompute ? sizes.maxSubgroupSize : 0;
 }
 
 // Features that the device lacks to trace, in words; empty: none.
@@ -202,8 +188,7 @@ std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
   throw Error("Ray Traced Glyphs: the Vulkan device '" + DeviceName(physical) + "' has no compute queue. " + remedy);
 }
 
-vk::raii::Device
-MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool rayQueries, bool subgroupSizes)
+vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool rayQueries)
 {
   Features enabled;
   enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = true;
@@ -212,95 +197,36 @@ MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, 
   vulkan12.scalarBlockLayout = true;
   enabled.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure = true;
   enabled.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery = true;
-  enabled.get<vk::PhysicalDeviceSubgroupSizeControlFeatures>().subgroupSizeControl = true;
-  std::vector<const char*> extensions;
-  if (rayQueries)
-  {
-    extensions.assign(std::begin(rayExtensions), std::end(rayExtensions));
-  }
-  else
+  if (!rayQueries)
   {
     enabled.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
     enabled.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
   }
-  if (subgroupSizes)
-  {
-    extensions.push_back(subgroupExtension[0]);
-  }
-  else
-  {
-    enabled.unlink<vk::PhysicalDeviceSubgroupSizeControlFeatures>();
-  }
 
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queueInfo({}, queueFamily, 1, &priority);
-  vk::DeviceCreateInfo info({}, queueInfo, {}, extensions);
+  vk::DeviceCreateInfo info({}, queueInfo);
+  if (rayQueries)
+  {
+    info.setPEnabledExtensionNames(rayExtensions);
+  }
   info.pNext = &enabled.get<vk::PhysicalDeviceFeatures2>();
   return vk::raii::Device(physical, info);
 }
 
-// Major versions of lavapipe, which its description names: "Mesa 26.1.6 (LLVM 21.1.8)". Zero: another driver.
-struct LavapipeVersion
-{
-  int mesa = 0, llvm = 0;
-};
-
-LavapipeVersion LavapipeOf(const vk::raii::PhysicalDevice& physical)
+// LLVM 21 may compile a shader wrongly for AVX-512 (Testing/Drivers/README.md). The driver's description names the
+// compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
+bool MiscompilesAvx512(const vk::raii::PhysicalDevice& physical)
 {
   const auto driver = PropertiesOf<vk::PhysicalDeviceDriverProperties>(physical);
-  LavapipeVersion version;
+  int version = 0;
   const char* compiler = std::strstr(driver.driverInfo, "LLVM ");
-  if (driver.driverID == vk::DriverId::eMesaLlvmpipe && compiler)
-  {
-    std::sscanf(driver.driverInfo, "Mesa %d", &version.mesa);
-    std::sscanf(compiler, "LLVM %d", &version.llvm);
-  }
-  return version;
+  return driver.driverID == vk::DriverId::eMesaLlvmpipe && compiler &&
+    std::sscanf(compiler, "LLVM %d", &version) == 1 && version == 21;
 }
 
 // Vulkan's loader looks a device up in lists that instances and devices of other threads leave meanwhile.
 std::mutex loaderMutex;
-
-// While it lives, lavapipe starts with vectors of 512 bits if `wanted`: with AVX-512 most scenes take three quarters of
-// the time. Mesa's OpenGL, which reads the same variable when a context is made, crashes with them. So they are for the
-// time of a start only, in the thread that makes such contexts; afterwards the variable is empty: Mesa's own choice.
-class WideVectors
-{
-public:
-  WideVectors() { Set("512"); }
-  ~WideVectors() { Set(""); }
-  WideVectors(const WideVectors&) = delete;
-  WideVectors& operator=(const WideVectors&) = delete;
-
-  // Returns whether that driver is to be started again to have them. What a user has set stays.
-  static bool Want(const LavapipeVersion& version)
-  {
-    // The versions whose images are known to be the same to the bit.
-    const bool known = version.mesa == 25 && (version.llvm == 15 || version.llvm == 19);
-    const char* chosen = std::getenv(variable);
-    if (wanted || !known || !HasAvx512() || (chosen && *chosen))
-    {
-      return false;
-    }
-    wanted = true;
-    Set("512");
-    return true;
-  }
-
-private:
-  static constexpr const char* variable = "LP_NATIVE_VECTOR_WIDTH";
-
-  static void Set(const char* width)
-  {
-    if (wanted)
-    {
-      SetEnvironment(variable, width);
-    }
-  }
-
-  static bool wanted;
-};
-bool WideVectors::wanted = false;
 
 // Runs `work`, one at a time; throws failures of Vulkan's loader and drivers as rtg::Error.
 template <class Work>
@@ -309,7 +235,6 @@ void StartingVulkan(Work&& work)
   try
   {
     const std::lock_guard<std::mutex> lock(loaderMutex);
-    const WideVectors vectors;
     work();
   }
   catch (const Error&)
@@ -364,16 +289,11 @@ void Device::Choose()
   };
   std::size_t chosen = enumerate();
   constexpr const char* capabilities = "GALLIUM_OVERRIDE_CPU_CAPS";
-  const LavapipeVersion lavapipe = LavapipeOf(devices[chosen]);
-  // LLVM 21 may compile a shader wrongly for AVX-512 (Testing/Drivers/README.md).
-  const bool miscompiles = lavapipe.llvm == 21 && !std::getenv(capabilities);
-  if (miscompiles)
+  if (MiscompilesAvx512(devices[chosen]) && !std::getenv(capabilities))
   {
-    SetEnvironment(capabilities, "avx"); // no AVX-512, but AVX2 all the same
-  }
-  if (miscompiles || WideVectors::Want(lavapipe))
-  {
-    chosen = enumerate(); // the driver is loaded anew, and reads the variable then
+    // The driver is loaded anew, and reads it then: no AVX-512, but AVX2 all the same.
+    SetEnvironment(capabilities, "avx");
+    chosen = enumerate();
   }
   state.physical = std::move(devices[chosen]);
   state.name = DeviceName(state.physical);
@@ -392,8 +312,7 @@ void Device::Start()
   {
     state.programStages |= Stage::eAccelerationStructureBuildKHR;
   }
-  state.subgroupSize = state.cpu ? SubgroupSize(state.physical) : 0;
-  state.device = MakeDevice(state.physical, state.queueFamily, state.rayQueries, state.subgroupSize > 0);
+  state.device = MakeDevice(state.physical, state.queueFamily, state.rayQueries);
   state.queue = state.device.getQueue(state.queueFamily, 0);
   const vk::DescriptorSetLayoutBinding block(
     0, vk::DescriptorType::eUniformBuffer, 1, vk::ShaderStageFlagBits::eCompute);

@@ -53,9 +53,6 @@ struct Device::State
   /// driver that emulates it, as NVIDIA's does, has ray-tracing pipelines, but no ray queries
   /// (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
   bool rayQueries = false;
-  /// Lanes of a CPU device's vectors, where programs can require it: drivers keep programs of one width apart from
-  /// those of another then. Otherwise zero.
-  std::uint32_t subgroupSize = 0;
   vk::PipelineStageFlags programStages; ///< in which programs run and structures are built
   std::atomic<bool> lost{ false };
 

@@ -34,9 +34,7 @@ Pipeline::Pipeline(Device::State& device, const programs::Code& code, const Cons
   const std::vector<std::uint32_t> words = Specialize(code, constants);
   const vk::raii::ShaderModule module(
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(words[0]), words.data()));
-  const vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo size(device.subgroupSize);
-  vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
-  stage.pNext = device.subgroupSize > 0 ? &size : nullptr;
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
   this->pipeline_ =
     vk::raii::Pipeline(device.device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *device.programLayout));
 }

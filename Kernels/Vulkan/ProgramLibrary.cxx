@@ -42,37 +42,24 @@ std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specializati
 
 // lavapipe compiles where it launches, so that what is launched next waits. It keeps what it has compiled on disk, when
 // a device goes at the latest: another device compiles first, beside which this one has nothing left to do.
-std::atomic<bool> helps{ true }; // the user may have switched that cache off
-
-// Null: there is none. It is made in the thread that wants programs, not in one that compiles them: lavapipe reads
-// variables of the environment then, in which other threads may set or read some (WideVectors in Device.cxx).
-std::shared_ptr<Device> MakeHelper(const Device::State& vulkan)
+std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Specialization& specialization)
 {
-  try
+  static std::atomic<bool> helps{ true }; // the user may have switched that cache off
+  constexpr double worthSaving = 0.2;     // seconds
+  double before = 0.0, after = 0.0;
+  if (vulkan.cpu && helps)
   {
-    return vulkan.cpu && helps ? Device::Another() : nullptr;
-  }
-  catch (const std::exception&) // the own device may have what the other lacked
-  {
-    return nullptr;
-  }
-}
-
-// Seconds that compiling took; zero: it did not help.
-double CompileOn(Device* helper, const Specialization& specialization)
-{
-  double seconds = 0.0;
-  try
-  {
-    if (helper)
+    try
     {
-      MakePipeline(helper->GetState(), specialization, seconds);
+      MakePipeline(Device::Another()->GetState(), specialization, before);
+    }
+    catch (const std::exception&) // this device may have what the other lacked
+    {
     }
   }
-  catch (const std::exception&)
-  {
-  }
-  return seconds;
+  std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization, after);
+  helps = helps && (before < worthSaving || after < 0.5 * before);
+  return pipeline;
 }
 
 bool IsCompiling(const Program& program)
@@ -112,11 +99,9 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
     try
     {
       std::thread(
-        [this, program, helper = MakeHelper(*this->device_)]() mutable
+        [this, program]() mutable
         {
-          const double before = CompileOn(helper.get(), program->specialization);
-          helper.reset();
-          this->Compile(*program, before);
+          this->Compile(*program);
           const std::lock_guard<std::mutex> done(this->mutex_);
           program.reset(); // the device may go as soon as nothing is at work
           --this->atWork_;
@@ -135,17 +120,14 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
   return { program, begins };
 }
 
-// The thread that is ready first makes the program. `before`: seconds that another device took to compile it.
-void ProgramLibrary::Compile(Program& program, double before)
+// The thread that is ready first makes the program.
+void ProgramLibrary::Compile(Program& program)
 {
-  constexpr double worthSaving = 0.2; // seconds
   std::unique_ptr<Pipeline> pipeline;
   std::exception_ptr failure;
   try
   {
-    double after = 0.0;
-    pipeline = MakePipeline(*this->device_, program.specialization, after);
-    helps = helps && (before < worthSaving || after < 0.5 * before);
+    pipeline = MakePipelineAside(*this->device_, program.specialization);
   }
   catch (...)
   {
@@ -195,10 +177,6 @@ void ProgramLibrary::CompileAhead(std::vector<Specialization> wanted)
   const std::lock_guard<std::mutex> lock(this->mutex_);
   std::erase_if(wanted, [this](const Specialization& one) { return this->Find(one) != nullptr; });
   this->ahead_ = std::move(wanted);
-  if (!this->ahead_.empty() && !this->helper_)
-  {
-    this->helper_ = MakeHelper(*this->device_);
-  }
   if (!this->ahead_.empty() && !this->worksAhead_)
   {
     try
@@ -220,39 +198,25 @@ std::size_t ProgramLibrary::Ahead()
   return this->ahead_.size() + this->worksAhead_;
 }
 
-// In a thread of its own, because what has the lowest priority keeps it. One helper compiles all.
+// In a thread of its own, because what has the lowest priority keeps it.
 void ProgramLibrary::WorkAhead()
 {
   LowerPriority();
   std::unique_lock<std::mutex> lock(this->mutex_);
   while (!this->ahead_.empty())
   {
-    std::shared_ptr<Device> helper = std::move(this->helper_);
-    std::vector<std::pair<std::shared_ptr<Program>, double>> begun;
-    while (!this->ahead_.empty())
+    const Specialization next = this->ahead_.back();
+    this->ahead_.pop_back();
+    if (!this->Find(next))
     {
-      const Specialization next = this->ahead_.back();
-      this->ahead_.pop_back();
-      if (!this->Find(next))
-      {
-        begun.emplace_back(this->Add(next), 0.0);
-        begun.back().first->ahead = true;
-        lock.unlock();
-        begun.back().second = CompileOn(helper.get(), next);
-        lock.lock();
-      }
+      const std::shared_ptr<Program> program = this->Add(next);
+      program->ahead = true;
+      lock.unlock();
+      this->Compile(*program);
+      lock.lock();
     }
-    lock.unlock();
-    helper.reset();
-    for (auto& [program, before] : begun)
-    {
-      this->Compile(*program, before);
-    }
-    begun.clear();
-    lock.lock();
   }
   this->worksAhead_ = false;
-  this->helper_.reset();
   --this->atWork_;
   this->idle_.notify_all();
 }

@@ -33,7 +33,7 @@ public:
   ProgramLibrary(const ProgramLibrary&) = delete;
   ProgramLibrary& operator=(const ProgramLibrary&) = delete;
 
-  /// The program of that key. True: compiling has begun with this call; again, if it failed before.
+  /// The program of that key. True: compiling has begun with this call; again, if it failed before. In any thread.
   std::pair<std::shared_ptr<Program>, bool> Get(const Specialization& specialization);
 
   /// Compiles what there is none of yet, one program after the other, while the processor has nothing else to do. What
@@ -45,7 +45,7 @@ public:
 private:
   std::shared_ptr<Program> Find(const Specialization& specialization);
   std::shared_ptr<Program> Add(const Specialization& specialization);
-  void Compile(Program& program, double before);
+  void Compile(Program& program);
   void WorkAhead();
 
   Device::State* device_;
@@ -55,7 +55,6 @@ private:
   std::vector<std::shared_ptr<Program>> programs_; ///< last used last
   std::vector<Specialization> ahead_;              ///< to be compiled ahead, the next one last
   bool worksAhead_ = false;
-  std::shared_ptr<Device> helper_; ///< of what is compiled ahead next, or null
 };
 
 } // namespace rtg

@@ -8,10 +8,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -77,36 +73,6 @@ TEST(DeviceTest, DevicesComeAndGoInSeveralThreads)
   {
     thread.join();
   }
-}
-
-namespace
-{
-const char* const widthVariable = "LP_NATIVE_VECTOR_WIDTH";
-const bool widthIsSet = std::getenv(widthVariable) != nullptr; // before the first device
-}
-
-/// A CPU with AVX-512 and lavapipe of a version that was tried; OpenGL must not see the variable.
-TEST(DeviceTest, VectorsAreWideWithAvx512)
-{
-  const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
-  const std::string name = device->Name();
-  using Driver = vk::PhysicalDeviceDriverProperties;
-  const auto properties = device->GetState().physical.getProperties2<vk::PhysicalDeviceProperties2, Driver>();
-  const std::string driver = properties.get<Driver>().driverInfo.data();
-  std::ifstream processor("/proc/cpuinfo");
-  const std::string flags{ std::istreambuf_iterator<char>(processor), {} };
-  const bool tried = driver.starts_with("Mesa 25.") &&
-    (driver.find("(LLVM 15.") != std::string::npos || driver.find("(LLVM 19.") != std::string::npos);
-  if (!device->IsCpu() || !tried || flags.find("avx512vl") == std::string::npos || widthIsSet)
-  {
-    GTEST_SKIP() << name << ", " << driver << ": no lavapipe of a version that was tried, no AVX-512, or the user chose";
-  }
-  EXPECT_STREQ(std::getenv(widthVariable), ""); // Mesa's own choice
-  EXPECT_NE(name.find("512 bits"), std::string::npos) << name;
-  EXPECT_EQ(rtg::Device::Another()->Name(), name);
-  EXPECT_EQ(rtg::Device::Chosen().name, name);
-  EXPECT_STREQ(std::getenv(widthVariable), ""); // Mesa's own choice
-  EXPECT_EQ(device->GetState().subgroupSize, 16u);
 }
 
 TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
