@@ -16,9 +16,6 @@ namespace
 
 // One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
 constexpr std::size_t glyphsPerLeaf = 2;
-// Where a line meets more leaves than this on average, rays soon find what stops them, and culling what lies behind
-// pays.
-constexpr double leavesWorthDropping = 20.0;
 // Bytes of a glyph in lavapipe's structure; those of GPUs are smaller.
 constexpr std::size_t bytesPerBox = 88;
 
@@ -182,12 +179,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
   GlyphTree tree;
   if (!set.instances.motion.Any())
   {
-    const BoxReader ordered(boxes, sorted.order);
-    // So many leaves a line through the bounds meets on average, by Cauchy's formula.
-    const double leavesMet =
-      LeafSurface(ordered, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
-    placed.variants.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
-    tree = BuildGlyphTree(ordered, sorted.leafBits, sorted.kdAxes);
+    tree = BuildGlyphTree({ boxes, sorted.order }, sorted.leafBits, sorted.kdAxes);
   }
   else
   {

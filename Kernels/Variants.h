@@ -69,7 +69,6 @@ RTG_GLYPH_ARRAYS(RTG_BIT)
 // Other features of sets.
 const uint FIXED_HEADS = 1u << 16;     // of arrows
 const uint ORDER_OF_SLICES = 1u << 17; // slices of time are sorted each for itself
-const uint DROPS_HIDDEN = 1u << 18;    // most of what a ray might meet lies behind its hit
 const uint MESH_NORMALS = 1u << 19;
 const uint MESH_POSITION_COLORS = 1u << 20;
 const uint MESH_TRIANGLE_COLORS = 1u << 21;

@@ -128,7 +128,6 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
         found = true;
         nearest = s;
         triangle = leaf.x;
-        CullBehind(position, nearest);
         going = !any;
       }
       ++leaf.x;

@@ -6,24 +6,20 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Tre
   uint64_t word[];
 };
 
-// Rays are soon stopped in some set: what lies behind a hit is dropped at once.
-const bool dropsHidden = (inSomeSets & DROPS_HIDDEN) != 0u;
-
 // A path through the tree without a stack: the node is known by level and index, and for every level above it
 // eight bits say which of the children are still to be visited, the first to be visited highest, and four in what
-// order they are numbered; and where the ray enters the first of them but the one visited first, or before.
+// order they are numbered.
 struct TreePosition
 {
   uint level;
   uint node;
   uvec2 pending; // levels 0 to 3, and 4 to 7
   uint orders;
-  vec4 behind[2];
 };
 
 TreePosition RootOfTree()
 {
-  return TreePosition(0u, 0u, uvec2(0u), 0u, vec4[2](vec4(0.0), vec4(0.0)));
+  return TreePosition(0u, 0u, uvec2(0u), 0u);
 }
 
 // Which of the `count` things are in the current node, when it is a leaf: from x up to y; otherwise none.
@@ -85,16 +81,8 @@ uint Bits(const bvec4 set)
   return (set.x ? 1u : 0u) | (set.y ? 2u : 0u) | (set.z ? 4u : 0u) | (set.w ? 8u : 0u);
 }
 
-// Where the ray enters the boxes that it meets, but those left out.
-vec4 Unless(const vec4 near, const bvec4 leftOut, const vec4 far)
-{
-  return vec4(leftOut.x || near.x > far.x ? 1e38 : near.x, leftOut.y || near.y > far.y ? 1e38 : near.y,
-    leftOut.z || near.z > far.z ? 1e38 : near.z, leftOut.w || near.w > far.w ? 1e38 : near.w);
-}
-
 // Takes note of the children of the current node that the ray meets between tMin and tMax: bit 7 - rank for the child
-// visited as number `rank`, and the order: child = rank ^ order. With dropsHidden, also of where it enters the first of
-// them but the one visited first.
+// visited as number `rank`, and the order: child = rank ^ order.
 void VisitNode(inout TreePosition position, const TreeRecord tree, const uint firstNode, const BoxRay ray,
   const float tMin, const float tMax)
 {
@@ -148,33 +136,6 @@ void VisitNode(inout TreePosition position, const TreeRecord tree, const uint fi
   position.pending |= position.level < 4u ? uvec2(bits, 0u) : uvec2(0u, bits);
   uint shift = 4u * position.level;
   position.orders = (position.orders & ~(15u << shift)) | (order << shift);
-  if (dropsHidden)
-  {
-    uvec4 first = uvec4(uint(7 - findMSB(mask)) ^ order);
-    vec4 others0 = Unless(near0, equal(first, uvec4(0u, 1u, 2u, 3u)), far0);
-    vec4 others1 = Unless(near1, equal(first, uvec4(4u, 5u, 6u, 7u)), far1);
-    vec4 four = Lesser(others0, others1);
-    float behind = min(min(four.x, four.y), min(four.z, four.w));
-    uvec4 level = uvec4(position.level);
-    position.behind[0] = mix(position.behind[0], vec4(behind), equal(level, uvec4(0u, 1u, 2u, 3u)));
-    position.behind[1] = mix(position.behind[1], vec4(behind), equal(level, uvec4(4u, 5u, 6u, 7u)));
-  }
-}
-
-// Levels whose pending children all lie behind `nearest`, 8 bits each.
-uint HiddenLevels(const vec4 behind, const float nearest)
-{
-  return (behind.x > nearest ? 0xffu : 0u) | (behind.y > nearest ? 0xff00u : 0u) |
-    (behind.z > nearest ? 0xff0000u : 0u) | (behind.w > nearest ? 0xff000000u : 0u);
-}
-
-// Culls pending children whose entry distance is behind a new nearest hit.
-void CullBehind(inout TreePosition position, const float nearest)
-{
-  if (dropsHidden)
-  {
-    position.pending &= ~uvec2(HiddenLevels(position.behind[0], nearest), HiddenLevels(position.behind[1], nearest));
-  }
 }
 
 // Moves to the next child: the first pending one on the deepest level that has any. False: none is left.

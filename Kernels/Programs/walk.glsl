@@ -57,7 +57,6 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
           surely = low;
           hit.t = high;
           going = !any;
-          CullBehind(position, hit.t);
         }
         else if (verdict != RTG_MISSED)
         {
@@ -80,11 +79,9 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     }
     if (candidate != nothing)
     {
-      if (IntersectCandidate(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
-      {
-        going = going && !any;
-        CullBehind(position, hit.t);
-      }
+      bool met =
+        IntersectCandidate(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit);
+      going = going && !(any && met);
       surely = hit.t;
       estimated = false;
     }

@@ -328,7 +328,7 @@ TEST_P(StructureTest, TranslucentSetsShowInTheirOwnPass)
 TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
 {
   // Against brute force, from counts that make the smallest trees, with even and odd depth, upwards.
-  // Then so densely that rays drop what lies behind their hits.
+  // Then so densely that most lies behind what rays hit.
   const std::pair<std::size_t, float> scenes[] = { { 1, 0.6f }, { 2, 0.6f }, { 3, 0.6f }, { 4, 0.6f }, { 5, 0.6f },
     { 7, 0.6f }, { 8, 0.6f }, { 9, 0.6f }, { 16, 0.6f }, { 17, 0.6f }, { 33, 0.6f }, { 100, 0.6f }, { 1000, 0.6f },
     { 1000, 4.0f }, { 4100, 4.0f }, { 33000, 1.5f } };
@@ -338,8 +338,6 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
     const float size = filling / std::cbrt(static_cast<float>(count));
     const auto id = this->AddSpheres(points, size);
     this->scene.Commit();
-    const auto& variants = this->scene.GetState().sets.at(id).placed.variants;
-    EXPECT_EQ(variants.Has(rtg::device::DROPS_HIDDEN), GetParam() == rtg::Structure::Tree && filling > 1.0f) << count;
     const Image image = this->Trace();
     for (int y = 0; y < 100; y += 3)
     {
@@ -399,8 +397,6 @@ TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, needles);
     this->scene.Commit();
-    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.variants.Has(rtg::device::DROPS_HIDDEN),
-      structure == rtg::Structure::Tree);
     const Image image = this->Trace();
     std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 40000);
     for (std::uint32_t& glyph : found)
