@@ -37,8 +37,8 @@ rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSe
   const rtglyphs::GlyphMotion::Settings& motion = settings.Motion;
   const std::array<vtkDataArray*, 4> arrays = rtglyphs::GlyphMotion::Arrays(data, motion);
   const auto isThere = [&](int kind) { return rtglyphs::RayTracedRanks::Largest(arrays[kind] ? 1.0 : 0.0) > 0.0; };
-  const bool moves = isThere(0), accelerates = !moves && isThere(1), turns = !moves && !accelerates;
-  vtkDataArray* array = arrays[moves ? 0 : accelerates ? 1 : 2];
+  const int kind = isThere(0) ? 0 : isThere(1) ? 1 : 2; // velocities, accelerations, angular velocities
+  vtkDataArray* array = arrays[kind];
   array = array && array->GetNumberOfComponents() <= 3 ? array : nullptr;
   const auto speed = [array](vtkIdType point)
   {
@@ -57,7 +57,7 @@ rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSe
     return {};
   }
   const double typical = Quantile(moving.Values(speed), typicalQuantile);
-  if (turns)
+  if (kind == 2)
   {
     return { TwoDigits(1.0 / typical) };
   }
@@ -67,7 +67,7 @@ rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSe
   const double size = TypicalSize(data, settings, all) * unitSize;
   const double length = size > 0.0 ? streak * size : streakOfNoSize * longest;
   double time = std::min(length / typical, std::max(length, longestStreak * longest) / fastest);
-  if (accelerates) // from rest, in both halves of a centered shutter the same way
+  if (kind == 1) // from rest, in both halves of a centered shutter the same way
   {
     time = (motion.Opening == rtglyphs::GlyphMotion::CENTERED ? 2.0 : 1.0) * std::sqrt(2.0 * time);
   }
