@@ -171,7 +171,7 @@ rtglyphs::GlyphGLTFWriter::Make(const std::vector<rtglyphs::GlyphTessellatedSet>
     buffer["uri"] = AsUri(binaryName);
   }
   document.All["buffers"] = Json::array({ std::move(buffer) });
-  return { document.All.dump(), std::move(document.Binary) };
+  return { document.All.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(document.Binary) };
 }
 
 //----------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -84,7 +83,7 @@ std::vector<vtkDataArray*> AddArrays(vtkDataObject* tree, const char* name, int 
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphSteps::SetTrailSteps(int steps)
 {
-  steps = std::max(steps, 0);
+  steps = std::clamp(steps, 0, 1000);
   return std::exchange(this->TrailSteps, steps) != steps;
 }
 
@@ -122,25 +121,17 @@ void rtglyphs::GlyphSteps::Forget()
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphSteps::AddTo(vtkDataObject* gathered, vtkDataObject* input, double time, vtkInformation* from,
-  vtkAlgorithm* source, bool trails, const std::function<rtg::PeriodicImages()>& images)
+std::vector<double> rtglyphs::GlyphSteps::Show(
+  vtkDataObject* gathered, vtkDataObject* input, double time, vtkInformation* from, vtkAlgorithm* source, bool trails)
 {
   if (!trails && !this->Velocities)
   {
-    return false;
+    return {};
   }
   if (this->Source != source)
   {
     this->Forget();
     this->Source = source;
-  }
-  GlyphStep step(gathered, this->PointIdArray);
-  if (!this->Missing.empty())
-  {
-    this->Kept[this->Missing.back()] = std::move(step);
-    this->Missing.pop_back();
-    this->Returns = this->Missing.empty();
-    return true;
   }
   vtkInformation* info = input->GetInformation();
   const double own = info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : NAN;
@@ -150,15 +141,26 @@ bool rtglyphs::GlyphSteps::AddTo(vtkDataObject* gathered, vtkDataObject* input, 
   {
     this->Before = std::move(this->Shown);
   }
-  this->Shown = { own, std::move(step) };
-  if (trails && !std::exchange(this->Returns, false))
+  this->Shown = { own, GlyphStep(gathered, this->PointIdArray) };
+  return trails ? this->FindMissing(std::isfinite(own) ? own : time, from, source) : std::vector<double>();
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphSteps::Keep(double time, vtkDataObject* gathered)
+{
+  this->Kept[time] = gathered ? GlyphStep(gathered, this->PointIdArray) : GlyphStep();
+  if (!gathered)
   {
-    this->FindMissing(std::isfinite(own) ? own : time, from, source);
-    if (!this->Missing.empty())
-    {
-      return true;
-    }
+    std::ostringstream text;
+    text << "The time step at " << time << " cannot be read, so trails end after it. Later steps are not reported.";
+    this->AddMessage(text.str(), "unreadable");
   }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphSteps::AddTo(
+  vtkDataObject* gathered, bool trails, const std::function<rtg::PeriodicImages()>& images)
+{
   if (trails)
   {
     this->AddTrails(gathered, images());
@@ -167,26 +169,11 @@ bool rtglyphs::GlyphSteps::AddTo(vtkDataObject* gathered, vtkDataObject* input, 
   {
     this->AddVelocities(gathered);
   }
-  return false;
-}
-
-//----------------------------------------------------------------------------
-// All inputs get the time, since inputs behind the same source have one.
-void rtglyphs::GlyphSteps::RequestMissing(vtkInformationVector** inputs, int ports) const
-{
-  for (int port = 0; !this->Missing.empty() && port < ports; ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      inputs[port]->GetInformationObject(i)->Set(
-        vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), this->Missing.back());
-    }
-  }
 }
 
 //----------------------------------------------------------------------------
 // All ranks request the same steps: readers may work together.
-void rtglyphs::GlyphSteps::FindMissing(double time, vtkInformation* from, vtkAlgorithm* source)
+std::vector<double> rtglyphs::GlyphSteps::FindMissing(double time, vtkInformation* from, vtkAlgorithm* source)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(source->GetExecutive());
   const vtkMTimeType sourceTime = pipeline ? pipeline->GetPipelineMTime() : 0;
@@ -222,23 +209,25 @@ void rtglyphs::GlyphSteps::FindMissing(double time, vtkInformation* from, vtkAlg
   std::erase_if(this->Kept,
     [this](const auto& step)
     { return std::find(this->Earlier.begin(), this->Earlier.end(), step.first) == this->Earlier.end(); });
-  std::vector<double> missing;
+  std::vector<double> lacks;
   for (const double earlier : this->Earlier)
   {
-    missing.push_back(this->Kept.count(earlier) == 0 ? 1.0 : 0.0);
+    lacks.push_back(this->Kept.count(earlier) == 0 ? 1.0 : 0.0);
   }
-  rtglyphs::RayTracedRanks::Reduce(missing, vtkCommunicator::MAX_OP);
-  for (std::size_t i = 0; i < missing.size(); ++i)
+  rtglyphs::RayTracedRanks::Reduce(lacks, vtkCommunicator::MAX_OP);
+  std::vector<double> missing; // the first first
+  for (std::size_t i = lacks.size(); i-- > 0;)
   {
-    if (missing[i] > 0.0)
+    if (lacks[i] > 0.0)
     {
-      this->Missing.push_back(this->Earlier[i]);
+      missing.push_back(this->Earlier[i]);
     }
   }
   if (end != times.end() && *end == known[1])
   {
     this->Kept[known[1]] = shown;
   }
+  return missing;
 }
 
 //----------------------------------------------------------------------------

@@ -33,7 +33,6 @@
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkInformation;
-class vtkInformationVector;
 
 namespace rtglyphs
 {
@@ -54,19 +53,23 @@ public:
   int GetTrailSteps() const { return this->TrailSteps; }
 
   /**
-   * Adds RayTracedArrays::Trail, from the last step backwards, NaN where there is none, and StepVelocity to the leaves
-   * of a RayTracedTree that was gathered of `input`, at the pipeline's time. `from` has the pipeline's time steps.
-   * True: the pipeline must be updated again, for the time that RequestMissing() sets for all its inputs. All ranks do
-   * it at once.
+   * Takes a RayTracedTree that was gathered of `input`, at the pipeline's time, for the step that is shown. `from` has
+   * the pipeline's time steps. The earlier times whose points are needed and not known, the first first; on all ranks
+   * the same. Each of them is to be kept.
    */
-  bool AddTo(vtkDataObject* gathered, vtkDataObject* input, double time, vtkInformation* from, vtkAlgorithm* source,
-    bool trails, const std::function<rtg::PeriodicImages()>& images);
-  void RequestMissing(vtkInformationVector** inputs, int ports) const;
+  std::vector<double> Show(vtkDataObject* gathered, vtkDataObject* input, double time, vtkInformation* from,
+    vtkAlgorithm* source, bool trails);
 
   /**
-   * Gathering has failed.
+   * Keeps the points of an earlier step. Null: it cannot be read, so trails end after it.
    */
-  void CancelRequests() { this->Missing.clear(); }
+  void Keep(double time, vtkDataObject* gathered);
+
+  /**
+   * Adds RayTracedArrays::Trail, from the last step backwards, NaN where there is none, and StepVelocity to the leaves
+   * of the tree of Show().
+   */
+  void AddTo(vtkDataObject* gathered, bool trails, const std::function<rtg::PeriodicImages()>& images);
 
   /**
    * Warnings about the last step that were not returned before, with remedies; or empty.
@@ -85,7 +88,7 @@ private:
     GlyphStep Points;
   };
   void Forget();
-  void FindMissing(double time, vtkInformation* from, vtkAlgorithm* source);
+  std::vector<double> FindMissing(double time, vtkInformation* from, vtkAlgorithm* source);
   void AddTrails(vtkDataObject* gathered, const rtg::PeriodicImages& images) const;
   void AddVelocities(vtkDataObject* gathered);
   void AddMessage(const std::string& message, const std::string& kind);
@@ -98,8 +101,6 @@ private:
   vtkMTimeType SourceTime = 0; // of the pipeline when steps were kept
   std::map<double, GlyphStep> Kept;
   std::vector<double> Earlier; // times before the one shown, the last first
-  std::vector<double> Missing; // the last is requested
-  bool Returns = false;        // the time shown is requested again
   std::set<std::string> Reported;
   std::string Message;
 };

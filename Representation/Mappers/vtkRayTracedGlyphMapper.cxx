@@ -308,8 +308,9 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       [&](vtkIdType glyph)
       {
         const vtkIdType point = this->OriginalIds[glyph];
-        std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
         const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+        // Of a block with cells each point is one, others have none.
+        std::array<double, 4> rgba = this->ColorOf(mapped, point, block.FirstCell + (point - block.FirstPoint));
         if (byDirection && !block.Color)
         {
           std::copy_n(directions[glyph].begin(), 3, rgba.begin());

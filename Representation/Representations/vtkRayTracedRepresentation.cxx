@@ -9,8 +9,12 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
@@ -23,6 +27,7 @@
 
 #include <new>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkRayTracedRepresentation);
 
@@ -118,41 +123,67 @@ int vtkRayTracedRepresentation::RequestData(
 #endif
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(emptyType));
   rtglyphs::GlyphSteps& steps = this->Common.Time.Steps;
-  bool again = false;
-  const bool good = this->WithinMemory(
+  const bool trails = this->Content->HasTrails();
+  const auto gather = [&](const std::function<void()>& next)
+  {
+    return this->WithinMemory(
+      [&]
+      {
+        if (input)
+        {
+          this->Gather(input, wholeExtent);
+        }
+        next();
+      },
+      /*together=*/true);
+  };
+  std::vector<double> earlier;
+  bool good = gather(
     [&]
     {
       if (input)
       {
-        this->Gather(input, wholeExtent);
-        const vtkSmartPointer<vtkDataObject> made =
-          selected ? rtglyphs::RayTracedSelection::Mark(this->Gathered, selected) : this->Gathered;
-        again = steps.AddTo(made, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(),
-          this->Content->HasTrails(), [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
-        if (again)
-        {
-          return;
-        }
-        rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
-        gathered = made;
+        earlier = steps.Show(this->Gathered, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(), trails);
       }
-      rtglyphs::RayTracedTree::AddPartialArrays(gathered);
-    },
-    /*together=*/true);
-  if (again && good)
+    });
+  // The input is updated from here: VTK's own way, CONTINUE_EXECUTING, never ends where a step cannot be read.
+  vtkNew<vtkInformation> time, own;
+  const auto update = [&](vtkInformation* of)
   {
-    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
-    return 1;
-  }
-  if (!good)
+    vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()->ShallowCopy(of, info);
+    vtkInformationExecutivePortKey* producer = vtkExecutive::PRODUCER();
+    const bool read = producer->GetExecutive(info)->Update(producer->GetPort(info)) != 0;
+    input = read ? vtkDataObject::GetData(info) : nullptr;
+  };
+  if (!earlier.empty())
   {
-    steps.CancelRequests();
+    vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()->ShallowCopy(info, own);
+    for (std::size_t i = 0; i < earlier.size() && good; ++i)
+    {
+      time->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), earlier[i]);
+      update(time);
+      good = gather([&] { steps.Keep(earlier[i], input ? this->Gathered.Get() : nullptr); });
+    }
+    update(own);
   }
-  else if (const std::string message = steps.TakeMessage(); !message.empty())
+  good = good &&
+    gather(
+      [&]
+      {
+        if (input)
+        {
+          const vtkSmartPointer<vtkDataObject> made =
+            selected ? rtglyphs::RayTracedSelection::Mark(this->Gathered, selected) : this->Gathered;
+          steps.AddTo(made, trails, [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
+          rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
+          gathered = made;
+        }
+        rtglyphs::RayTracedTree::AddPartialArrays(gathered);
+      });
+  if (const std::string message = good ? steps.TakeMessage() : std::string(); !message.empty())
   {
     vtkWarningMacro(<< message);
   }
-  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->MultiBlockMaker->SetInputDataObject(gathered);
   this->MultiBlockMaker->Update();
   ++this->Gathers;
@@ -223,20 +254,10 @@ rtglyphs::RayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(con
 }
 
 //----------------------------------------------------------------------------
-int vtkRayTracedRepresentation::RequestUpdateTime(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  const int good = this->Superclass::RequestUpdateTime(request, inputVector, outputVector);
-  this->Common.Time.Steps.RequestMissing(inputVector, this->GetNumberOfInputPorts());
-  return good;
-}
-
-//----------------------------------------------------------------------------
 int vtkRayTracedRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int good = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  this->Common.Time.Steps.RequestMissing(inputVector, this->GetNumberOfInputPorts());
   // The mesh of mesh glyphs is the same on all processes.
   for (int i = 0; i < inputVector[GLYPH_TYPE_PORT]->GetNumberOfInformationObjects(); ++i)
   {

@@ -173,5 +173,6 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
     }
     own += DISPLAY_NUMBERS;
   }
-  return json.dump();
+  // Names of arrays may not be UTF-8.
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -50,10 +50,11 @@ bool HasPeriodicBox(vtkSMProxy* display)
 void ExplainOrder(vtkSMProxy* glyphs, bool tensors, std::vector<std::string>& sentences)
 {
   const auto array = List::Of(glyphs, "GlyphTensorArray")->Find(List::Named(glyphs, "GlyphTensorArray"));
-  if (tensors && array && array.Components == 6 && !array.HasTensorNames)
+  const char* layout = vtkSMPropertyHelper(glyphs, "GlyphTensorLayout").GetAsString();
+  // null: a number that is none of the enumeration's
+  if (tensors && array && array.Components == 6 && !array.HasTensorNames && layout)
   {
-    sentences.push_back("Components of " + array.Name +
-      " by GlyphTensorLayout: " + vtkSMPropertyHelper(glyphs, "GlyphTensorLayout").GetAsString());
+    sentences.push_back("Components of " + array.Name + " by GlyphTensorLayout: " + layout);
   }
 }
 
@@ -209,7 +210,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   const bool own = coloring.GetAsInt() != 0 && Shapes::IsColored(shape);
   const bool directions = number("GlyphDirectionColoring") != 0.0;
   const char* color = own ? coloring.GetAsString() : directions ? "direction" : array;
-  if (color && color[0]) // null: a number that is none of the enumeration's
+  if (color && color[0]) // null: as above
   {
     const bool ofParaView = !own && !directions && !glyphs->GetChoices().IsUsers("ColorArrayName");
     const std::string why = number("ColorFromData") != 0.0 ? ": what the glyphs show"

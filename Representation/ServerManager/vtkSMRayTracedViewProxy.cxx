@@ -356,7 +356,8 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
         sentences.push_back(section);
       }
       own["choices"] = sentences;
-      vtkSMPropertyHelper(display, "RenderStatistics").Set(own.dump().c_str());
+      vtkSMPropertyHelper(display, "RenderStatistics")
+        .Set(own.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
     }
   }
 }

@@ -105,6 +105,26 @@ def arrays(case):
                 Orient=1, SelectOrientationVectors="scalar", OrientationMode="Quaternion")
 
 
+def names(case):
+    """An array whose name is not UTF-8, as files of other programs have them; a number that an enumeration does not have."""
+    name = session.output("bad-names.vtk")
+    with open(name, "wb") as file:
+        file.write(b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\nVECTORS gr\xf6\xdfe float\n0 0 1\n")
+    shown = session.glyphs(pv.OpenDataFile(name), case.view, "Arrow")
+    text = session.messages(lambda: pv.Render(case.view))
+    choices = session.statistics(shown)["choices"]
+    if text.strip() or not any("gr\ufffd\ufffde" in sentence for sentence in choices):
+        case.failures.append("a name that is not UTF-8: %s %s" % (text, choices))
+    pv.Delete(shown)
+    shown = session.glyphs(session.source(session.poly_data(LINE, t=numpy.tile([3.0, 2.0, 1.0, 0.0, 0.0, 0.0], (3, 1)))), case.view, "Tensor Ellipsoid")
+    shown.SMProxy.GetProperty("GlyphTensorLayout").SetElement(0, 17)
+    shown.GlyphTensorArray = "t"
+    pv.Render(case.view)
+    if session.statistics(shown)["glyphs"] != 3:
+        case.failures.append("GlyphTensorLayout 17: %s" % session.statistics(shown))
+    pv.Delete(shown)
+
+
 def amounts(case):
     """No points, one point, no data."""
     case.render("no points", session.poly_data(numpy.zeros((0, 3))), ())
@@ -184,6 +204,7 @@ def main(no_device):
     degenerate(case)
     zeros(case)
     arrays(case)
+    names(case)
     amounts(case)
     sizes(case)
     settings(case)

@@ -151,6 +151,29 @@ def blocks(checks, view):
     pv.Delete(shown)
 
 
+def vertices(checks, view):
+    """Points of a composite by the colors of their vertices, behind a block of points that has none."""
+    pictures = []
+    for count in (0, 1000):
+        points = session.with_cells(session.poly_data(numpy.array([[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]])), "Verts", [[0], [1]])
+        session.add_arrays(points, points.GetCellData(), value=numpy.array([0.0, 1.0]))
+        data = vtkMultiBlockDataSet()
+        data.SetBlock(0, session.poly_data(numpy.full((count, 3), 100.0)))
+        data.SetBlock(1, points)
+        shown = session.glyphs(session.source(data), view, Orient=0, ScaleFactor=0.5)
+        pv.ColorBy(shown, ("CELLS", "value"))
+        shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
+        shown.SetScalarBarVisibility(view, False)
+        pv.Render(view)
+        checks.equal("vertices: glyphs", session.statistics(shown)["glyphs"], count + 2)
+        pictures.append(session.capture(view, "cell-glyphs-vertices-%d" % count))
+        pv.Delete(shown)
+    middle = pictures[0].shape[0] // 2
+    left, right = (pictures[0][middle, session.pixel_of(view, (x, 0.0, 0.0))[0]].astype(int) for x in (-0.5, 0.5))
+    checks.true("vertices: blue %s and red %s" % (left, right), left[2] > left[0] + 50 and right[0] > right[2] + 50)
+    checks.equal("vertices behind points: pixels that differ", int((pictures[0] != pictures[1]).sum()), 0)
+
+
 def main():
     """Of a structured and an unstructured grid, and of a hyper tree grid."""
     session.load()
@@ -172,6 +195,7 @@ def main():
         cells.close()
     points.close()
     blocks(checks, view)
+    vertices(checks, view)
     checks.report()
 
 

@@ -2,9 +2,12 @@
 
 Usage: pvpython trails.py
 """
+import os
+
 import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import comparison
 import session
@@ -244,6 +247,27 @@ def messages(checks, view):
         pv.Delete(shown)
 
 
+def unreadable(checks, view):
+    """Trails end after a step that cannot be read, which one warning says; other steps, and the one shown, are as ever."""
+    steps = tuple((float(time), ids, there) for time, (_, ids, there) in enumerate(STEPS))
+    files = [session.output("trails-%d.vtp" % time) for time in range(len(steps))]
+    for name, (_, ids, there) in zip(files, steps):
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(name)
+        writer.SetInputData(session.poly_data(numpy.array([(*x, 0.0) for x in there]), who=numpy.array(ids)))
+        writer.Write()
+    os.remove(files[1])
+    source = pv.XMLPolyDataReader(FileName=files)
+    shown = shown_in(view, source, 3)
+    lacking = steps[:1] + ((1.0, (), ()),) + steps[2:]
+    said = go(view, lacking, 4)
+    checks.true("the step that cannot be read is named: %s" % said, said.count("The time step at 1 cannot be read") == 1)
+    compare(checks, "after an unreadable step", view, shown, lacking, 4, 3)
+    go(view, lacking, 3)
+    compare(checks, "one step before", view, shown, lacking, 3, 3)
+    pv.Delete(shown)
+
+
 def main():
     """Runs all."""
     session.load()
@@ -255,6 +279,7 @@ def main():
     looks(checks, view)
     many(checks, view)
     messages(checks, view)
+    unreadable(checks, view)
     checks.report()
 
 
