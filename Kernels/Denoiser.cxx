@@ -259,6 +259,8 @@ void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const 
 std::vector<std::uint32_t> DenoiseTask::operator()()
 {
   Stopwatch watch;
+  // The device may not outlive the thread that waits for this: it is let go before the result is known.
+  const std::shared_ptr<TracerResources> shared = std::move(this->shared_);
   const bool linear = TraitsOf(this->settings_).linear;
   if (linear)
   {
@@ -301,7 +303,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     }
     smooth[i] = glm::packUnorm4x8(shown);
   }
-  this->shared_->denoiseSeconds += watch.Lap();
+  shared->denoiseSeconds += watch.Lap();
   return smooth;
 }
 

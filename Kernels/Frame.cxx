@@ -37,7 +37,7 @@ std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
   {
     return device::LAYER_CAPACITY;
   }
-  const float count = std::log(device::MIN_TRANSMITTANCE) / std::log(1.0f - std::min(record.opacity, 0.999f));
+  const float count = std::log(device::MIN_TRANSMITTANCE) / std::log1p(-std::min(record.opacity, 0.999f));
   return static_cast<std::uint32_t>(
     std::clamp(std::ceil(count + 0.01f), 1.0f, static_cast<float>(device::LAYER_CAPACITY)));
 }

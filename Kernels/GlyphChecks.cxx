@@ -94,7 +94,7 @@ void CheckShutter(const GlyphMotion& motion)
   }
 }
 
-void CheckPolynomials(const GlyphInstances& instances, std::size_t most)
+void CheckPolynomials(const GlyphInstances& instances)
 {
   const int degree = instances.polynomialDegree;
   const bool even = degree >= 2 && degree <= mostDegree && degree % 2 == 0;
@@ -103,11 +103,6 @@ void CheckPolynomials(const GlyphInstances& instances, std::size_t most)
   {
     Fail("polynomials of degree ", degree, " with ", instances.polynomials.width,
       " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
-  }
-  if (instances.polynomials.values.size() > most)
-  {
-    Fail(instances.Count(), " polynomials of degree ", degree,
-      " have more values than a set can hold; show fewer of them.");
   }
 }
 
@@ -168,9 +163,14 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   {
     return;
   }
+  if (instances.polynomials.values.size() > most)
+  {
+    Fail(instances.Count(), " glyphs of ", instances.polynomials.width,
+      " values each have more values than a set can hold, which is ", most, "; show fewer of them.");
+  }
   if (instances.shape == Shape::Polynomial)
   {
-    CheckPolynomials(instances, most);
+    CheckPolynomials(instances);
   }
   if (instances.shape == Shape::SweptEllipsoid &&
     (instances.sizes3.empty() || instances.rotations.empty() || instances.exponents3.empty() ||

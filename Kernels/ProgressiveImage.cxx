@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -419,16 +421,24 @@ void ProgressiveImage::Smooth(const Request& request)
   {
     this->smoothingSamples_ = this->traced_.samples;
     this->stopOfSmoothing_ = std::stop_source();
-    std::packaged_task<std::vector<std::uint32_t>()> denoising(
+    const auto denoising = std::make_shared<std::packaged_task<std::vector<std::uint32_t>()>>(
       request.source.Denoise(this->traced_, this->stopOfSmoothing_.get_token()));
-    this->smoothing_ = denoising.get_future();
-    if (request.IsTimed())
+    this->smoothing_ = denoising->get_future();
+    bool apart = request.IsTimed();
+    try
     {
-      std::thread(std::move(denoising)).detach();
+      if (apart)
+      {
+        std::thread([denoising] { (*denoising)(); }).detach();
+      }
     }
-    else
+    catch (const std::system_error&) // no thread can be started
     {
-      denoising();
+      apart = false;
+    }
+    if (!apart)
+    {
+      (*denoising)();
       collect();
     }
   }

@@ -24,6 +24,7 @@ std::shared_ptr<Program> TracerResources::ProgramFor(const Specialization& speci
 {
   const auto [program, begins] = this->device->GetState().programs->Get(specialization);
   this->statistics->pipelineBuilds += begins;
+  std::erase_if(this->costs, [](const auto& cost) { return cost.first.expired(); });
   return program;
 }
 

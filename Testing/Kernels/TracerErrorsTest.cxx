@@ -183,6 +183,13 @@ TEST_F(TracerTest, MoreThanIndicesCountIsNamed)
   EXPECT_EQ(message(instances), "");
   instances.centers = RandomPoints(31);
   EXPECT_NE(message(instances).find("31 glyphs; the most that one can hold is 30"), std::string::npos);
+  // Their values are numbered, too.
+  rtg::GlyphInstances values = instances;
+  values.centers.resize(2);
+  values.polynomials.values.assign(32, 0.0f);
+  values.polynomials.width = 16;
+  EXPECT_NE(message(values).find("2 glyphs of 16 values each have more values than a set can hold, which is 30"),
+    std::string::npos);
   // Three corners a triangle.
   instances.centers.resize(1);
   instances.shape = rtg::Shape::Mesh;
