@@ -235,25 +235,27 @@ void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const 
   const Filter filter(guides, means, stop);
   const auto colorOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
   std::vector<Estimate> lights(means.size(), Estimate(0.0f));
-  for (std::size_t i = 0; i < means.size(); ++i)
-  {
-    if (means[i].a > 0.0f && IsFinite(glm::vec3(means[i])))
+  ParallelEach(means.size(),
+    [&](std::size_t i)
     {
-      lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colorOf(i), 0.0f);
-    }
-  }
+      if (means[i].a > 0.0f && IsFinite(glm::vec3(means[i])))
+      {
+        lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colorOf(i), 0.0f);
+      }
+    });
   filter.EstimateVariance(lights);
   for (int level = 0; level < levels; ++level)
   {
     lights = filter.Smooth(lights, 1 << level);
   }
-  for (std::size_t i = 0; i < means.size(); ++i)
-  {
-    if (means[i].a > 0.0f && filter.Known(i))
+  ParallelEach(means.size(),
+    [&](std::size_t i)
     {
-      means[i] = glm::vec4(glm::vec3(lights[i]) * colorOf(i) * means[i].a, means[i].a);
-    }
-  }
+      if (means[i].a > 0.0f && filter.Known(i))
+      {
+        means[i] = glm::vec4(glm::vec3(lights[i]) * colorOf(i) * means[i].a, means[i].a);
+      }
+    });
 }
 
 std::vector<std::uint32_t> DenoiseTask::operator()()
@@ -264,8 +266,8 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
   const bool linear = TraitsOf(this->settings_).linear;
   if (linear)
   {
-    std::transform(
-      this->image_.albedos.begin(), this->image_.albedos.end(), this->image_.albedos.begin(), shading::DisplayToLinear);
+    ParallelEach(this->image_.albedos.size(),
+      [this](std::size_t i) { this->image_.albedos[i] = shading::DisplayToLinear(this->image_.albedos[i]); });
   }
   // The ground is a white surface whose light is what it lacks. Its depth, which no glyph has, tells it from glyphs.
   constexpr float groundDepth = 0.0f;
@@ -287,22 +289,23 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
   const float exposureFactor = std::exp2(this->settings_.exposure);
   const auto toneMapping = static_cast<std::uint32_t>(this->settings_.toneMapping);
   std::vector<std::uint32_t> smooth(this->means_.size(), 0);
-  for (std::size_t i = 0; i < smooth.size(); ++i)
-  {
-    const glm::vec4& mean = this->means_[i];
-    const bool onGround = !this->missingLight_.empty() && this->image_.viewDepths[i] == groundDepth;
-    glm::vec4 shown(0.0f);
-    if (mean.a > 0.0f && !onGround)
+  ParallelEach(smooth.size(),
+    [&](std::size_t i)
     {
-      const glm::vec3 color = glm::vec3(mean) / mean.a;
-      shown = glm::vec4(mapsTones ? shading::ToneMap(color, linear, exposureFactor, toneMapping) : color, mean.a);
-    }
-    if (!this->missingLight_.empty())
-    {
-      shown = shading::OverShadow(shown, onGround ? mean.r : this->missingLight_[i], linear);
-    }
-    smooth[i] = glm::packUnorm4x8(shown);
-  }
+      const glm::vec4& mean = this->means_[i];
+      const bool onGround = !this->missingLight_.empty() && this->image_.viewDepths[i] == groundDepth;
+      glm::vec4 shown(0.0f);
+      if (mean.a > 0.0f && !onGround)
+      {
+        const glm::vec3 color = glm::vec3(mean) / mean.a;
+        shown = glm::vec4(mapsTones ? shading::ToneMap(color, linear, exposureFactor, toneMapping) : color, mean.a);
+      }
+      if (!this->missingLight_.empty())
+      {
+        shown = shading::OverShadow(shown, onGround ? mean.r : this->missingLight_[i], linear);
+      }
+      smooth[i] = glm::packUnorm4x8(shown);
+    });
   shared->denoiseSeconds += watch.Lap();
   return smooth;
 }

@@ -50,7 +50,6 @@ public:
   static bool IsFourthOrderLength(int components);
 
   int Degree() const { return this->degree_; } ///< even, at least 2
-  int Components() const { return this->components_; }
   /// FormTerms(Degree()) coefficients.
   void Apply(const double* components, double* coefficients) const;
 

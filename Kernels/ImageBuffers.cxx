@@ -47,13 +47,10 @@ void ImageBuffers::Clear()
 
 void ImageBuffers::ClearSums()
 {
-  if (this->sums_.Size() >= this->pixels_ * sizeof(device::PixelSums))
+  const std::size_t bytes = this->pixels_ * sizeof(device::PixelSums);
+  if (this->sums_.Size() >= bytes)
   {
-    device::PixelSums none{};
-    none.depth = none.opaqueDepth = 1e38f;
-    this->sums_.Write(this->pixels_, sizeof(none),
-      [&](void* target, std::size_t first, std::size_t last)
-      { std::fill_n(static_cast<device::PixelSums*>(target), last - first, none); });
+    this->sums_.Fill(0, bytes, 0);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "MeshTree.h"
 
+#include "Parallel.h"
 #include "TimeSlices.h"
 
 namespace rtg
@@ -64,13 +65,14 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const CenteredMesh& centered, c
   const auto boxesBetween = [&](double first, double last)
   {
     std::vector<Box> boxes(mesh.triangles.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-    {
-      const std::size_t triangle = tree.order.empty() ? i : tree.order[i];
-      const DoubleBox own =
-        paths.Triangle(triangle, shutter.EarliestTime(first), shutter.LatestTime(last)).Widened(padding);
-      boxes[i] = { glm::vec3(own.lower), glm::vec3(own.upper) };
-    }
+    ParallelEach(boxes.size(),
+      [&](std::size_t i)
+      {
+        const std::size_t triangle = tree.order.empty() ? i : tree.order[i];
+        const DoubleBox own =
+          paths.Triangle(triangle, shutter.EarliestTime(first), shutter.LatestTime(last)).Widened(padding);
+        boxes[i] = { glm::vec3(own.lower), glm::vec3(own.upper) };
+      });
     return boxes;
   };
   const std::uint32_t leafBits = GlyphTree::LeafBits(mesh.triangles.size(), trianglesPerLeaf);

@@ -64,9 +64,6 @@ public:
   const GlyphInstances& InstancesOf(SetId id) const;
   /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it, of an image of these instances.
   std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;
-  /// True when some visible set has opacity below one, or colors with alpha below 255.
-  bool HasTranslucent() const;
-  bool HasOpaque() const;
 
   /// `progress` gets the fraction of the work done, in [0, 1], after each stage.
   void Commit(const std::function<void(double fraction)>& progress = {});

@@ -33,19 +33,6 @@ glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
   return linear;
 }
 
-// lavapipe's own structure splits triangles where it finds them in their input; see Scene::State::Sort().
-std::vector<std::uint32_t> OrderTriangles(const TriangleMesh& mesh)
-{
-  std::vector<Box> boxes(mesh.triangles.size());
-  std::transform(mesh.triangles.begin(), mesh.triangles.end(), boxes.begin(),
-    [&](const glm::uvec3& corner)
-    {
-      const glm::vec3 &a = mesh.positions[corner.x], &b = mesh.positions[corner.y], &c = mesh.positions[corner.z];
-      return Box{ glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)) };
-    });
-  return MakeKdOrder(boxes, GlyphTree::LeafBits(boxes.size(), 2)).order;
-}
-
 Buffer SendMeshColors(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
 {
   if (!source.positionValues.empty())
@@ -134,10 +121,6 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
       MeshTree tree = BuildMeshTree(mesh, centered, shutter);
       sent.tree = PlacedTree(vulkan, tree.tree);
       sent.order = std::move(tree.order);
-    }
-    else if (this->device->IsCpu())
-    {
-      sent.order = OrderTriangles(mesh);
     }
     const vk::BufferUsageFlags input =
       hasTree ? vk::BufferUsageFlags() : vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR;

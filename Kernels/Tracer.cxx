@@ -234,7 +234,7 @@ void Tracer::CompileAhead(Scene& scene, const std::vector<Light>& lights, const 
   std::vector<Specialization> wanted;
   for (const Pass pass : { Pass::Opaque, Pass::Translucent })
   {
-    if (glyphs.sets.empty() || !(pass == Pass::Opaque ? scene.HasOpaque() : scene.HasTranslucent()))
+    if (glyphs.sets.empty() || !scene.GetState().Shows(pass == Pass::Translucent))
     {
       continue;
     }

@@ -141,15 +141,16 @@ void VisitNode(inout TreePosition position, const TreeRecord tree, const uint fi
 // Moves to the next child: the first pending one on the deepest level that has any. False: none is left.
 bool PopChild(inout TreePosition position)
 {
-  uvec2 halves = position.pending;
-  if ((halves.x | halves.y) == 0u)
+  bool deep = position.pending.y != 0u;
+  uint word = deep ? position.pending.y : position.pending.x;
+  if (word == 0u)
   {
     return false;
   }
-  uint highest = halves.y != 0u ? 32u + uint(findMSB(halves.y)) : uint(findMSB(halves.x));
-  uint bit = 1u << (highest & 31u);
-  position.pending ^= highest < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
-  uint parentLevel = highest >> 3;
+  uint highest = uint(findMSB(word));
+  uint bit = 1u << highest;
+  position.pending ^= deep ? uvec2(0u, bit) : uvec2(bit, 0u);
+  uint parentLevel = (highest >> 3) + (deep ? 4u : 0u);
   uint child = (7u - (highest & 7u)) ^ ((position.orders >> (4u * parentLevel)) & 7u);
   uint parent = position.node >> (3u * (position.level - parentLevel));
   position.node = 8u * parent + child;

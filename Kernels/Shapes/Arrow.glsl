@@ -88,7 +88,7 @@ RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin
 
 RTG_FN Enclosure ArrowEnclosure(const Glyph glyph)
 {
-  Enclosure outer = BoxedEnclosure(glyph);
+  Enclosure outer = RoundEnclosure(glyph);
   ArrowBox(glyph, ScaleOfArrow(glyph), outer.middle, outer.halfSize);
   return outer;
 }

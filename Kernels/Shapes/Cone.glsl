@@ -23,7 +23,7 @@ RTG_FN bool ConeCrossing(const GlyphRay ray, const Glyph glyph, const real tMin,
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-#define ConeEnclosure BoxedEnclosure
+#define ConeEnclosure RoundEnclosure
 
 RTG_FN real3 ConeNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {

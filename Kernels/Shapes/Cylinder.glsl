@@ -16,7 +16,7 @@ RTG_FN bool CylinderCrossing(const GlyphRay ray, const Glyph glyph, const real t
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-#define CylinderEnclosure BoxedEnclosure
+#define CylinderEnclosure RoundEnclosure
 
 RTG_FN real3 CylinderNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {

@@ -24,6 +24,14 @@ RTG_FN Enclosure BoxedEnclosure(const Glyph glyph)
   return Enclosure(real3(real(0.0)), real(0.5) * glyph.size, toCorner, true, false, false);
 }
 
+// The same of a shape that lies in the round cylinder of its box, along any of the axes.
+RTG_FN Enclosure RoundEnclosure(const Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  outer.radius = real(1.4142137);
+  return outer;
+}
+
 // The ray in that frame.
 struct EnclosureRay
 {

@@ -386,11 +386,6 @@ bool Device::IsCpu() const
   return this->state_->cpu;
 }
 
-bool Device::PrefersTrees() const
-{
-  return this->state_->cpu || !this->state_->rayQueries;
-}
-
 bool Device::Lost() const
 {
   return this->state_->lost;

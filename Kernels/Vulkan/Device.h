@@ -31,8 +31,6 @@ public:
   ~Device();
   std::string Name() const;
   bool IsCpu() const;
-  /// Whether the plugin's BVH is faster than the driver's: on a CPU, and on a GPU without ray-tracing hardware.
-  bool PrefersTrees() const;
   bool Lost() const;
   /// Device memory that all buffers of the process hold.
   std::uint64_t HeldBytes() const;

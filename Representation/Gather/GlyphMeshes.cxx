@@ -3,6 +3,7 @@
 #include "Glyphs.h"
 #include "RayTracedSurfaceGatherer.h"
 #include "RayTracedTree.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkAppendPolyData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
@@ -20,16 +21,15 @@ vtkSmartPointer<vtkPolyData> PolygonsOf(vtkDataObject* data)
   rtglyphs::RayTracedSurfaceGatherer::Settings settings;
   settings.ComputesNormals = false;
   vtkNew<vtkAppendPolyData> append;
-  rtglyphs::RayTracedTree::ForEach(
-    rtglyphs::RayTracedTree::Make(data, /*distinctColors=*/1,
-      [&settings](vtkDataObject* leaf) { return rtglyphs::RayTracedSurfaceGatherer::Gather(leaf, settings); }),
-    [&append](vtkPolyData* polygons)
+  const vtkSmartPointer<vtkDataObject> surfaces = rtglyphs::RayTracedTree::Make(data, /*distinctColors=*/1,
+    [&settings](vtkDataObject* leaf) { return rtglyphs::RayTracedSurfaceGatherer::Gather(leaf, settings); });
+  for (vtkPolyData* polygons : vtkCompositeDataSet::GetDataSets<vtkPolyData>(surfaces))
+  {
+    if (polygons->GetNumberOfPolys() > 0)
     {
-      if (polygons->GetNumberOfPolys() > 0)
-      {
-        append->AddInputData(polygons);
-      }
-    });
+      append->AddInputData(polygons);
+    }
+  }
   if (append->GetNumberOfInputConnections(0) > 0)
   {
     append->Update();

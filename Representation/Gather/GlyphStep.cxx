@@ -4,7 +4,7 @@
 #include "Parallel.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
-#include "RayTracedTree.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -71,18 +71,17 @@ std::array<double, 3> LongestDisplacements(const rtglyphs::GlyphStep::Pairs& pai
 rtglyphs::GlyphStep::GlyphStep(vtkDataObject* tree, const std::string& idArray)
 {
   int leaf = 0;
-  rtglyphs::RayTracedTree::ForEach(tree,
-    [&](vtkPolyData* points)
+  for (vtkPolyData* points : vtkCompositeDataSet::GetDataSets<vtkPolyData>(tree))
+  {
+    this->Points += points->GetNumberOfPoints();
+    vtkDataArray* ids = points->GetNumberOfPoints() > 0 ? IdsOf(points, idArray) : nullptr;
+    if (ids)
     {
-      this->Points += points->GetNumberOfPoints();
-      vtkDataArray* ids = points->GetNumberOfPoints() > 0 ? IdsOf(points, idArray) : nullptr;
-      if (ids)
-      {
-        this->AnyIds = true;
-        this->Add(points, ids, leaf);
-      }
-      ++leaf;
-    });
+      this->AnyIds = true;
+      this->Add(points, ids, leaf);
+    }
+    ++leaf;
+  }
   this->KeepUnique();
 }
 

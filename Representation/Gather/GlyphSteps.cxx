@@ -3,7 +3,7 @@
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "RayTracedRanks.h"
-#include "RayTracedTree.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
@@ -64,18 +64,17 @@ glm::dvec3 ShiftToNearest(const glm::dvec3& displacement, const std::vector<glm:
 std::vector<vtkDataArray*> AddArrays(vtkDataObject* tree, const char* name, int components, int type, double fill)
 {
   std::vector<vtkDataArray*> arrays;
-  rtglyphs::RayTracedTree::ForEach(tree,
-    [&](vtkPolyData* points)
-    {
-      const int own = points->GetPoints() ? points->GetPoints()->GetDataType() : VTK_FLOAT;
-      auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type == VTK_VOID ? own : type));
-      array->SetName(name);
-      array->SetNumberOfComponents(components);
-      rtglyphs::RayTracedArrays::Resize(array, points->GetNumberOfPoints());
-      array->Fill(fill);
-      points->GetPointData()->AddArray(array);
-      arrays.push_back(array);
-    });
+  for (vtkPolyData* points : vtkCompositeDataSet::GetDataSets<vtkPolyData>(tree))
+  {
+    const int own = points->GetPoints() ? points->GetPoints()->GetDataType() : VTK_FLOAT;
+    auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type == VTK_VOID ? own : type));
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    rtglyphs::RayTracedArrays::Resize(array, points->GetNumberOfPoints());
+    array->Fill(fill);
+    points->GetPointData()->AddArray(array);
+    arrays.push_back(array);
+  }
   return arrays;
 }
 }
@@ -233,8 +232,10 @@ std::vector<double> rtglyphs::GlyphSteps::FindMissing(double time, vtkInformatio
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphSteps::AddTrails(vtkDataObject* gathered, const rtg::PeriodicImages& images) const
 {
-  rtglyphs::RayTracedTree::ForEach(
-    gathered, [](vtkPolyData* points) { points->GetPointData()->RemoveArray(rtglyphs::RayTracedArrays::Trail); });
+  for (vtkPolyData* points : vtkCompositeDataSet::GetDataSets<vtkPolyData>(gathered))
+  {
+    points->GetPointData()->RemoveArray(rtglyphs::RayTracedArrays::Trail);
+  }
   if (this->Earlier.empty())
   {
     return;

@@ -266,8 +266,14 @@ void rtglyphs::RayTracedBlocks::ReportMissing(vtkPolyData* points, const std::st
   {
     text << " and " << blocks - most << " more";
   }
-  text << (one ? " has " : " have ") << what << ", which " << property << " names: " << (one ? "its " : "their ")
-       << count << (ofCells ? " cells " : " points ") << consequence << ". Choose another array, or leave "
+  text << (one ? " has " : " have ") << what;
+  if (vtkDataArray* other = ofCells ? ofCells : ofPoints; other && !onOtherRanks)
+  {
+    text << " of " << other->GetNumberOfComponents()
+         << (other->GetNumberOfComponents() == 1 ? " component" : " components");
+  }
+  text << ", which " << property << " names: " << (one ? "its " : "their ") << count
+       << (ofCells ? " cells " : " points ") << consequence << ". Choose another array, or leave "
        << (one ? "this block" : "these blocks") << " out with BlockSelectors.";
   messages.push_back(text.str());
 }

@@ -149,22 +149,6 @@ vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedTree::Change(
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedTree::ForEach(vtkDataObject* data, const std::function<void(vtkPolyData*)>& work)
-{
-  if (auto* leaf = vtkPolyData::SafeDownCast(data))
-  {
-    work(leaf);
-  }
-  else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-  {
-    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
-    {
-      ForEach(child, work);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::RayTracedTree::ForEachChild(
   vtkDataObjectTree* tree, const std::string& name, const std::function<void(vtkDataObject*, const std::string&)>& work)
 {
@@ -192,19 +176,18 @@ void rtglyphs::RayTracedTree::AddPartialArrays(vtkDataObject* tree)
     return;
   }
   std::set<std::string> own;
-  ForEach(tree,
-    [&own](vtkPolyData* leaf)
+  for (vtkPolyData* leaf : vtkCompositeDataSet::GetDataSets<vtkPolyData>(tree))
+  {
+    for (vtkFieldData* data :
+      { static_cast<vtkFieldData*>(leaf->GetPointData()), static_cast<vtkFieldData*>(leaf->GetCellData()) })
     {
-      for (vtkFieldData* data :
-        { static_cast<vtkFieldData*>(leaf->GetPointData()), static_cast<vtkFieldData*>(leaf->GetCellData()) })
+      for (int i = 0; i < data->GetNumberOfArrays() && leaf->GetNumberOfPoints() > 0; ++i)
       {
-        for (int i = 0; i < data->GetNumberOfArrays() && leaf->GetNumberOfPoints() > 0; ++i)
-        {
-          const char* name = data->GetAbstractArray(i)->GetName();
-          own.insert(name ? name : "");
-        }
+        const char* name = data->GetAbstractArray(i)->GetName();
+        own.insert(name ? name : "");
       }
-    });
+    }
+  }
   own.erase(std::string());
   std::map<std::string, int> ranks; // that have the array
   int withPoints = 0;
@@ -227,15 +210,14 @@ void rtglyphs::RayTracedTree::AddPartialArrays(vtkDataObject* tree)
       partial->InsertNextValue(name);
     }
   }
-  ForEach(tree,
-    [&partial](vtkPolyData* leaf)
+  for (vtkPolyData* leaf : vtkCompositeDataSet::GetDataSets<vtkPolyData>(tree))
+  {
+    leaf->GetFieldData()->RemoveArray(partial->GetName()); // of the last time
+    if (partial->GetNumberOfValues() > 0)
     {
-      leaf->GetFieldData()->RemoveArray(partial->GetName()); // of the last time
-      if (partial->GetNumberOfValues() > 0)
-      {
-        leaf->GetFieldData()->AddArray(partial);
-      }
-    });
+      leaf->GetFieldData()->AddArray(partial);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

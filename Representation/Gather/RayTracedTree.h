@@ -30,8 +30,6 @@ Make(vtkDataObject* input, int distinctColors, const std::function<vtkSmartPoint
 vtkSmartPointer<vtkDataObject>
 Change(vtkDataObject* tree, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& change);
 
-void ForEach(vtkDataObject* tree, const std::function<void(vtkPolyData*)>& work);
-
 /**
  * Children that are not empty, with their names: of those that have none block0 and so on, as in ParaView's hierarchy,
  * of pieces that of the tree.

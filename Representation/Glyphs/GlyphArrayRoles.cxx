@@ -42,7 +42,7 @@ const Meaning meanings[] = {
       "vtk*", "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "idp",
       "subdomain*", "partition*", " image", "period*" },
     {} },
-  { { "eigenval*" }, { 0, 0, 20, 20, 0, 20, 0, 0 } },
+  { { "eigenval*", "eigval*", "evals", "eval" }, { 0, 0, 20, 20, 0, 20, 0, 0 } },
   { { "fod*", "wmfod*", "odf*", "sh", "harmonic*" }, { 20, 20, 20, 20, 0, 0, 60, 0 } },
   { { "tensor*" }, { 20, 20, 15, 20, 0, tensor, 20, 0 } },
   { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
@@ -216,9 +216,10 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   const bool named = &meaning != &unnamed;
   Evidence evidence{ meaning.Scores[role], named ? "its name" : nullptr };
   int& score = evidence.Score;
-  if (array.IsColor || score == 0 || !Fits(role, array, meaning) || (role == TENSOR && IsRotation(array)))
+  const bool isZero = role != VELOCITY && role != EXPONENTS && array.Least == 0.0 && array.Largest == 0.0;
+  if (array.IsColor || score == 0 || !Fits(role, array, meaning) || (role == TENSOR && IsRotation(array)) || isZero)
   {
-    return {};
+    return {}; // of zeros there is nothing to see yet
   }
   if (array.IsActive[role])
   {
@@ -274,10 +275,6 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   else if (!named && array.IsPlace)
   {
     return {}; // the points' coordinates once more
-  }
-  else if (!named && array.IsKnown() && array.Largest == 0.0)
-  {
-    score /= 4; // nothing to see
   }
   return evidence;
 }
@@ -392,8 +389,9 @@ struct Columns
       std::all_of(names.begin(), names.end(), [this](const std::string& name) { return this->Left[name]->IsWhole; });
     const bool flat = speed || length > 1; // of a map, traceless tensors
     const bool meant = &meaning != &unnamed ? array.Components > 2 || !flat || this->Plane
-                                            : array.Components > 2 && !whole; // images, indices of a grid
-    if (words.empty() || !(ends || begins) || !meant || running)
+                                            : array.Components > 2 && !whole;            // images, indices of a grid
+    const bool bare = words.empty() && !(array.HasTensorNames && array.Components >= 6); // coordinates
+    if (bare || !(ends || begins) || !meant || running)
     {
       return;
     }

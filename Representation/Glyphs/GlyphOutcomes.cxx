@@ -3,6 +3,8 @@
 #include "GlyphSettings.h"
 #include "RayTracedArrays.h"
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 //----------------------------------------------------------------------------
@@ -32,10 +34,14 @@ vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs
       skipped += count;
     }
   };
-  say(counts[POSITION], "their position is not finite", "Remove these points, for example with Threshold or Clean.");
-  if (!settings.Scaling)
+  say(counts[POSITION], "their position is not finite",
+    "Remove these points with Threshold by what Python Calculator makes of inputs[0].Points.");
+  const double factor = std::abs(settings.ScaleFactor);
+  const bool usable = factor >= std::numeric_limits<float>::min() && factor <= std::numeric_limits<float>::max();
+  if (!settings.Scaling || !usable)
   {
-    say(counts[SCALE] + counts[ZERO_SCALE], "ScaleFactor, or Scale of the representation, is zero or not finite",
+    say(counts[SCALE] + counts[ZERO_SCALE],
+      "ScaleFactor, or Scale of the representation, is zero, not finite, or too large or small for floats",
       "Set it to a positive number.");
   }
   else

@@ -83,8 +83,10 @@ vtkDataArray* rtglyphs::GlyphArrays::Find(vtkPolyData* points, const std::string
     (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
   if (!array && messages && !rtglyphs::RayTracedBlocks::IsOnOtherRanks(points, name))
   {
-    messages->push_back("There is no point array '" + name + "', which " + property + " names; " + without +
-      ". Choose one that exists, or None.");
+    const bool exists = points->GetPointData()->HasArray(name.c_str()) != 0;
+    const std::string what = " point array '" + name + "', which " + property + " names";
+    messages->push_back((exists ? "The" + what + ", has no numbers; " : "There is no" + what + "; ") + without +
+      ". Choose " + (exists ? "another one" : "one that exists") + ", or None.");
   }
   else if (array && !fits && messages)
   {

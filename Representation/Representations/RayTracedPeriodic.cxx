@@ -2,7 +2,7 @@
 
 #include "GlyphPlacement.h"
 #include "RayTracedRanks.h"
-#include "RayTracedTree.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -48,8 +48,10 @@ vtkDataArray* FindEdges(vtkFieldData* field)
 vtkDataArray* FindEdges(vtkDataObject* data)
 {
   vtkDataArray* edges = data ? FindEdges(data->GetFieldData()) : nullptr;
-  rtglyphs::RayTracedTree::ForEach(
-    data, [&edges](vtkPolyData* block) { edges = edges ? edges : FindEdges(block->GetFieldData()); });
+  for (vtkPolyData* block : vtkCompositeDataSet::GetDataSets<vtkPolyData>(data))
+  {
+    edges = edges ? edges : FindEdges(block->GetFieldData());
+  }
   return edges;
 }
 }
@@ -66,14 +68,13 @@ rtglyphs::RayTracedPeriodic::Make(vtkDataObject* points, vtkDataObject* data, bo
   vtkBoundingBox box;
   if (points)
   {
-    RayTracedTree::ForEach(points,
-      [&box](vtkPolyData* leaf)
+    for (vtkPolyData* leaf : vtkCompositeDataSet::GetDataSets<vtkPolyData>(points))
+    {
+      if (leaf->GetNumberOfPoints() > 0)
       {
-        if (leaf->GetNumberOfPoints() > 0)
-        {
-          box.AddBounds(leaf->GetBounds());
-        }
-      });
+        box.AddBounds(leaf->GetBounds());
+      }
+    }
   }
   if (together)
   {

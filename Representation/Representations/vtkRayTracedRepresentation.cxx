@@ -1,3 +1,4 @@
+#include "vtkCompositeDataSet.h"
 #include "vtkRayTracedRepresentation.h"
 
 #include "GlyphJoinedArrays.h"
@@ -175,7 +176,10 @@ int vtkRayTracedRepresentation::RequestData(
           const vtkSmartPointer<vtkDataObject> made =
             selected ? rtglyphs::RayTracedSelection::Mark(this->Gathered, selected) : this->Gathered;
           steps.AddTo(made, trails, [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });
-          rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
+          for (vtkPolyData* points : vtkCompositeDataSet::GetDataSets<vtkPolyData>(made))
+          {
+            this->Complete(points);
+          }
           gathered = made;
         }
         rtglyphs::RayTracedTree::AddPartialArrays(gathered);

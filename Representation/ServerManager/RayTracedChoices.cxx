@@ -319,15 +319,8 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
       vtkSMPropertyHelper(display, name).Set(1);
     }
   }
-  vtkSMProperty* type = display->GetProperty("GlyphType");
-  auto* list = type->FindDomain<vtkSMProxyListDomain>();
-  vtkSMProxy* sphere = list ? list->FindProxy("sources", "SphereSource") : nullptr;
-  if (sphere && !this->IsUsers("GlyphType") && List::Named(display, "SelectOrientationVectors").empty())
-  {
-    vtkSMPropertyHelper(type).Set(sphere);
-    this->ChooseShape(glyphs);
-    this->ChooseScaleMode(glyphs);
-  }
+  this->WaitsForForm = !this->IsUsers("GlyphType");
+  this->ChooseForm(glyphs);
   if (!this->IsUsers("ScaleFactor"))
   {
     vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(1);
@@ -343,7 +336,8 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
 bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, bool otherTime)
 {
   const bool renewed = this->RenewAll(glyphs, otherTime ? Renewed::Unset : Renewed::Invalid);
-  return (otherTime && this->RenewRadius(glyphs)) || renewed;
+  const bool formed = this->WaitsForForm && ShowsGlyphs(glyphs->GetTrueParentProxy()) && this->ChooseForm(glyphs);
+  return (otherTime && this->RenewRadius(glyphs)) || renewed || formed;
 }
 
 //----------------------------------------------------------------------------
@@ -414,6 +408,40 @@ void rtglyphs::RayTracedChoices::ChooseArrays(vtkSMProxy* glyphs)
 {
   this->Renew(glyphs, "SelectOrientationVectors", Renewed::All);
   this->Renew(glyphs, "SelectScaleArray", Renewed::All);
+}
+
+//----------------------------------------------------------------------------
+// Arrows where the data have directions, else spheres, or what tensors and sizes are shown by. Spheres of data that
+// have none of these wait for some. Returns whether it has found any.
+bool rtglyphs::RayTracedChoices::ChooseForm(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  vtkSMProperty* type = display->GetProperty("GlyphType");
+  auto* list = type->FindDomain<vtkSMProxyListDomain>();
+  const bool directions = !List::Named(display, "SelectOrientationVectors").empty();
+  vtkSMProxy* form = list ? list->FindProxy("sources", directions ? "ArrowSource" : "SphereSource") : nullptr;
+  if (!form || !this->WaitsForForm || this->IsUsers("GlyphType"))
+  {
+    return false;
+  }
+  const Scope scope;
+  if (vtkSMPropertyHelper(type).GetAsProxy() != form)
+  {
+    vtkSMPropertyHelper(type).Set(form);
+    this->ChooseArrays(glyphs);
+  }
+  bool sizes = false;
+  if (!directions)
+  {
+    this->ChooseShape(glyphs);
+    this->ChooseScaleMode(glyphs);
+    auto* scales = List::Of(glyphs, "SelectScaleArray");
+    sizes =
+      rtglyphs::GlyphArrayRoles::IsSize(scales->ChooseFor(rtglyphs::GlyphArrayRoles::SIZE, scales->Listed()).Name);
+  }
+  this->WaitsForForm =
+    !directions && !sizes && vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == Shapes::GLYPH_TYPE;
+  return !this->WaitsForForm;
 }
 
 //----------------------------------------------------------------------------

@@ -115,6 +115,7 @@ private:
   bool Renew(vtkSMProxy* glyphs, const std::string& name, Renewed which);
   bool RenewAll(vtkSMProxy* glyphs, Renewed which);
   bool RenewRadius(vtkSMProxy* glyphs);
+  bool ChooseForm(vtkSMProxy* glyphs);
   void ChooseArrays(vtkSMProxy* glyphs);
   void ChooseShape(vtkSMProxy* glyphs);
   void ChooseScaleMode(vtkSMProxy* glyphs);
@@ -124,8 +125,9 @@ private:
   std::map<std::string, By> Chosen; // by name
   RayTracedColoring Coloring;
   RayTracedTensorTable TensorTable;
-  bool Shown = false;  // as ray-traced glyphs
-  bool InView = false; // else the display is being made
+  bool Shown = false;        // as ray-traced glyphs
+  bool WaitsForForm = false; // for data that have something to show
+  bool InView = false;       // else the display is being made
   bool TubesShown = false, TubesWanted = false;
 };
 

@@ -109,6 +109,25 @@ void ExplainShutter(vtkSMProxy* display, std::vector<std::string>& sentences)
   }
 }
 
+// What Surface has and Ray Traced Surface lacks.
+void ExplainSurface(vtkSMProxy* display, std::vector<std::string>& sentences)
+{
+  constexpr int followFrontface = 400;
+  if (vtkSMPropertyHelper(display, "Representation").GetAsString() != std::string("Ray Traced Surface"))
+  {
+    return;
+  }
+  const vtkSMPropertyHelper back(display, "BackfaceRepresentation", /*quiet=*/true);
+  if (back.GetNumberOfElements() > 0 && back.GetAsInt() != followFrontface)
+  {
+    sentences.emplace_back("BackfaceRepresentation has no effect: both sides of ray-traced surfaces look alike");
+  }
+  if (vtkSMPropertyHelper(display, "Texture", /*quiet=*/true).GetAsProxy())
+  {
+    sentences.emplace_back("Texture has no effect: ray-traced surfaces have none");
+  }
+}
+
 // What is to be known of periodic domains.
 void ExplainPeriods(vtkSMProxy* display, std::vector<std::string>& sentences)
 {
@@ -141,6 +160,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   std::vector<std::string> sentences;
   ExplainPeriods(display, sentences);
   ExplainShutter(display, sentences);
+  ExplainSurface(display, sentences);
   auto* glyphs = rtglyphs::RayTracedChoices::ShowsGlyphs(display)
     ? vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedChoices::GlyphsOf(display))
     : nullptr;

@@ -74,17 +74,3 @@ TEST(DeviceTest, DevicesComeAndGoInSeveralThreads)
     thread.join();
   }
 }
-
-TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
-{
-  const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
-  rtg::Device::State& state = device->GetState();
-  for (const bool queries : { false, true })
-  {
-    state.rayQueries = queries;
-    state.cpu = true;
-    EXPECT_TRUE(device->PrefersTrees());
-    state.cpu = false;
-    EXPECT_EQ(device->PrefersTrees(), !queries);
-  }
-}

@@ -313,8 +313,8 @@ TEST_P(StructureTest, TranslucentSetsShowInTheirOwnPass)
   rtg::Material material;
   material.opacity = 0.5f;
   this->scene.SetMaterial(translucent, material);
-  EXPECT_TRUE(this->scene.HasOpaque());
-  EXPECT_TRUE(this->scene.HasTranslucent());
+  EXPECT_TRUE(this->scene.GetState().Shows(false));
+  EXPECT_TRUE(this->scene.GetState().Shows(true));
   Image image = this->Trace(rtg::Pass::Opaque);
   EXPECT_EQ(image.setIds[50 * 100 + 25], opaque);
   EXPECT_EQ(image.setIds[50 * 100 + 75], Image::noGlyph);

@@ -290,7 +290,7 @@ TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
       instances.opacities = own ? opacities : std::vector<float>();
       this->scene.SetInstances(id, instances);
       this->scene.SetColors(id, own ? std::vector<std::uint32_t>() : colors);
-      EXPECT_TRUE(this->scene.HasTranslucent());
+      EXPECT_TRUE(this->scene.GetState().Shows(true));
       for (const Shading shading : { Shading::Local, Shading::PathTracing })
       {
         this->settings.shading = shading;

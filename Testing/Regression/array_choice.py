@@ -46,6 +46,9 @@ CASES = (
     ("a:9 strain:9 b:9", "None None strain None"),
     ("a:9 strain:9 b:9=Tensors", "None None b None"),
     ("rotation:9 thing:6", "None None thing None"),
+    ("evals:3 evec1:3", "evals evec1 None None"),
+    ("xx:1 xy:1 xz:1 yy:1 yz:1 zz:1", "None None xx, yy, zz, xy, yz, xz None"),
+    ("x:1 y:1 z:1", "x None None None"),
 )
 
 
@@ -214,6 +217,59 @@ def steps(checks):
         pv.Delete(view)
 
 
+#: By time: points, and the arrays that they have
+LATE = """
+import numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+count, arrays = %r[int(self.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()))]
+random = numpy.random.default_rng(5)
+points = vtkPoints()
+points.SetData(numpy_to_vtk(random.uniform(size=(count, 3)), deep=True))
+self.GetOutput().SetPoints(points)
+for name, components, factor in arrays:
+    array = numpy_to_vtk(factor * random.uniform(0.03, 0.05, (count, components)), deep=True)
+    array.SetName(name)
+    self.GetOutput().GetPointData().AddArray(array)
+"""
+
+
+def forms(checks):
+    """Spheres of steps that have nothing, or zeros, become what later steps are shown by, in the window also tensors and sizes; not once the data had something,
+    and not where the user has chosen a form."""
+    none, sizes = [], [("radius", 1, 1.0)]
+    wind = [("wind", 3, 1.0)]
+    vectors, zeros, tensors = [("velocity", 3, 1.0)], [("velocity", 3, 0.0)], [("stress", 6, 1.0)]
+    for what, window, steps, user, wanted in (
+            ("no points", False, ((0, none), (20, vectors)), None, ("SphereSource", "ArrowSource")),
+            ("no array", False, ((20, none), (20, vectors)), None, ("SphereSource", "ArrowSource")),
+            ("at rest", False, ((20, zeros), (20, vectors), (20, zeros)), None, ("SphereSource", "ArrowSource", "ArrowSource")),
+            ("at rest beside a force", False, ((20, zeros + wind), (20, vectors + wind)), None, ("ArrowSource wind", "ArrowSource wind")),
+            ("sizes first", False, ((20, sizes), (20, sizes + vectors)), None, ("SphereSource", "SphereSource")),
+            ("the user's", False, ((20, none), (20, vectors)), "Box", ("CubeSource", "CubeSource")),
+            ("tensors", True, ((0, none), (20, tensors)), None, ("SphereSource None", "SphereSource Tensor Ellipsoid")),
+            ("sizes", True, ((20, none), (20, sizes)), None, ("SphereSource No Data Scaling Off", "SphereSource Magnitude"))):
+        view = session.view(60, 40)
+        times = [float(time) for time in range(len(steps))]
+        source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=LATE % (steps, ),
+                                       ScriptRequestInformation=scale_guess.TIMES % (times, times[0], times[-1]))
+        view.ViewTime = 0.0
+        shown = pv.Show(source, view)
+        if window:
+            shown.SMProxy.GetProperty("SamplesPerRender").SetElement(0, -1)
+        shown.SetRepresentationType(session.REPRESENTATION)
+        for time, form in zip(times, wanted):
+            view.ViewTime = time
+            said = session.messages(lambda: pv.Render(view))
+            if user and time == 0.0:
+                shown.GlyphType = user
+            found = [shown.GlyphType.SMProxy.GetXMLName(), arrays(shown)[1], *(str(value).strip("'") for value in (shown.GlyphShape, shown.ScaleMode))]
+            checks.true("%s, time %g: %s, not %s" % (what, time, found, form), set(form.split(maxsplit=1)) <= set(found))
+            checks.no_message("%s, time %g" % (what, time), said if time < 2.0 else "")
+        pv.Delete(view)
+
+
 def other_data(checks):
     """Other data at the same time may have others."""
     view = session.view(40, 30)
@@ -297,6 +353,7 @@ def main():
     cells(checks)
     location(checks)
     steps(checks)
+    forms(checks)
     other_data(checks)
     lengths(checks)
     exact_sizes(checks)

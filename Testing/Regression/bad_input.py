@@ -7,6 +7,7 @@ import sys
 
 import numpy
 import paraview.simple as pv
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import comparison
@@ -101,6 +102,12 @@ def arrays(case):
     data = session.poly_data(LINE, scalar=numpy.ones(3))
     case.render("missing array", data, (-1, 0, 1), ("nonesuch",),
                 SelectScaleArray="nonesuch", ScaleMode="Magnitude")
+    words = vtkStringArray()
+    words.SetName("words")
+    for word in "abc":
+        words.InsertNextValue(word)
+    data.GetPointData().AddArray(words)
+    case.render("words", data, (-1, 0, 1), ("'words', which SelectScaleArray names, has no numbers",), SelectScaleArray="words", ScaleMode="Magnitude")
     case.render("wrong components", session.poly_data(LINE, scalar=numpy.ones(3)), (-1, 0, 1), ("scalar", "1"),
                 Orient=1, SelectOrientationVectors="scalar", OrientationMode="Quaternion")
 
@@ -123,6 +130,14 @@ def names(case):
     if session.statistics(shown)["glyphs"] != 3:
         case.failures.append("GlyphTensorLayout 17: %s" % session.statistics(shown))
     pv.Delete(shown)
+
+
+def factors(case):
+    """Of sizes that are good the factor is what is wrong."""
+    data = session.poly_data(LINE, size=numpy.ones(3))
+    for factor in (0.0, float("nan"), 1e300, 1e-300):
+        case.render("ScaleFactor %g" % factor, data, (), ("3 of 3", "ScaleFactor"), ScaleFactor=factor, ScaleMode="Magnitude", SelectScaleArray="size")
+        case.render("a good one, after which the same is said again", data, (-1, 0, 1))
 
 
 def amounts(case):
@@ -205,6 +220,7 @@ def main(no_device):
     zeros(case)
     arrays(case)
     names(case)
+    factors(case)
     amounts(case)
     sizes(case)
     settings(case)

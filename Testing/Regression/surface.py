@@ -199,6 +199,21 @@ def only_colors(view):
     pv.Delete(shown)
 
 
+def unused(view):
+    """What Surface has and this lacks is named."""
+    sphere = pv.Sphere()
+    shown = show(sphere, view, SURFACE, BackfaceRepresentation="Cull Frontface")
+    session.capture(view, "surface-texture")
+    shown.Texture = pv.CreateTexture(session.output("surface-texture.png"))
+    for set_, wanted in ((True, 2), (False, 0)):
+        if not set_:
+            shown.BackfaceRepresentation, shown.Texture = "Follow Frontface", None
+        pv.Render(view)
+        said = [sentence for sentence in session.statistics(shown)["choices"] if "no effect" in sentence]
+        check(len(said) == wanted, "unused properties of Surface: %s" % said)
+    pv.Delete(shown)
+
+
 def picking(view):
     """A pixel names the cell of the data whose triangle is seen there."""
     quads = pv.Plane(XResolution=4, YResolution=3, Origin=[-2, -1.5, 0], Point1=[2, -1.5, 0], Point2=[-2, 1.5, 0])
@@ -264,6 +279,7 @@ def main():
     with_glyphs(view)
     blocks(view)
     only_colors(view)
+    unused(view)
     picking(view)
     bad_input(view)
     session.finish(FAILURES)
