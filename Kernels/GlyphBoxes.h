@@ -31,16 +31,14 @@ Box BallBox(const glm::vec3& center, const glm::vec3& centerLow, float size);
 class BoxReader
 {
 public:
-  BoxReader(const std::vector<Box>& boxes, float padding = 0.0f)
+  BoxReader(const std::vector<Box>& boxes)
     : boxes_(&boxes)
-    , padding_(padding)
   {
   }
   /// `boxes`: ListedBoxes() of the instances.
-  BoxReader(const GlyphInstances& instances, const std::vector<Box>& boxes, float padding = 0.0f)
+  BoxReader(const GlyphInstances& instances, const std::vector<Box>& boxes)
     : boxes_(AreBalls(instances) ? nullptr : &boxes)
     , balls_(&instances)
-    , padding_(padding)
   {
   }
   /// These boxes in that order; in their own when it is empty.
@@ -52,11 +50,10 @@ public:
 
   std::size_t Count() const { return this->boxes_ ? this->boxes_->size() : this->balls_->Count(); }
 
-  /// Widened by the padding.
   Box operator[](std::size_t place) const
   {
     const std::size_t i = this->order_ ? this->order_[place] : place;
-    return (this->boxes_ ? (*this->boxes_)[i] : this->BallBoxAt(i)).Widened(this->padding_);
+    return this->boxes_ ? (*this->boxes_)[i] : this->BallBoxAt(i);
   }
 
   /// Half the extent, about, of a box in the boxes' own order.
@@ -80,7 +77,6 @@ private:
   const std::vector<Box>* boxes_ = nullptr;
   const GlyphInstances* balls_ = nullptr;
   const std::uint32_t* order_ = nullptr;
-  float padding_;
 };
 
 /// The box of all.

@@ -75,7 +75,6 @@ struct GlyphSetRecord
   uint polynomialWidth; // values of a glyph
   uint variants;        // Variants.h
   uint setId;
-  uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
   uint translucent;                  // belongs to the translucent pass
   uint mask;                         // one bit of instance masks

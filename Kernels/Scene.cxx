@@ -55,6 +55,11 @@ Scene::State::State(std::shared_ptr<Device> d, std::shared_ptr<Statistics> s)
   , structure(ChooseStructure(*device, device->GetState().rayQueries))
   , statistics(std::move(s))
 {
+  if (this->structure == Structure::Boxes)
+  {
+    const std::uint64_t most = this->device->GetState().structureLimits.maxPrimitiveCount;
+    this->mostElements = static_cast<std::size_t>(std::min<std::uint64_t>(this->mostElements, most));
+  }
 }
 
 Scene::Scene(std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics)
@@ -233,7 +238,7 @@ float Scene::State::Measure()
 
 PlacedGlyphs Scene::State::Withdraw(GlyphSet& set)
 {
-  if (set.placed.Any())
+  if (set.placed.any)
   {
     this->DropTopLevels();
   }
@@ -322,7 +327,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     // The scene's origin may have moved.
     const bool otherMesh =
       set.instances.shape == Shape::Mesh && this->NeedsMeshTree(set) != set.placed.variants.Has(device::MESH_TREE);
-    if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach || otherMesh)
+    if (set.instancesChanged || !set.placed.any || 2.0f * reach > set.placed.builtReach || otherMesh)
     {
       sent.push_back(&set);
       this->Place(set, reach);

@@ -59,7 +59,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
   }
   this->statistics->instanceUploads += isNew;
   mesh = PlacedMesh();
-  if (placed.runs.empty())
+  if (!placed.any)
   {
     // First what takes memory besides, then what stays.
     Stopwatch building;
@@ -75,7 +75,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     {
       // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
       placed.builtReach = 4.0f * reach;
-      this->BuildBoxes(set, placed, { set.instances, list, SlabPadding(placed.builtReach) });
+      this->BuildBoxes(set, placed, { set.instances, list });
     }
     this->statistics->buildSeconds += building.Lap();
     list = std::vector<Box>();
@@ -144,11 +144,6 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
 {
   const bool moves = set.instances.motion.Any();
   placed.sliceBits = moves ? TimeSliceBits(set.instances, set.count * bytesPerBox) : 0;
-  for (std::size_t at = 0; at < set.count; at += this->glyphsPerRun)
-  {
-    const std::size_t count = std::min<std::size_t>(this->glyphsPerRun, set.count - at);
-    placed.runs.push_back({ static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(count), {} });
-  }
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
   for (std::size_t slice = 0; slice < slices; ++slice)
   {
@@ -157,19 +152,17 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
     {
       own = GlyphBoxes(set.instances, double(slice) / double(slices), double(slice + 1) / double(slices));
     }
-    const BoxReader read(moves ? BoxReader(own, SlabPadding(placed.builtReach)) : boxes, set.sorted.order);
-    for (GlyphRun& run : placed.runs)
+    const BoxReader read(moves ? BoxReader(own) : boxes, set.sorted.order);
+    std::vector<vk::AabbPositionsKHR> positions(set.count);
+    for (std::size_t i = 0; i < set.count; ++i)
     {
-      std::vector<vk::AabbPositionsKHR> positions(run.count);
-      for (std::uint32_t i = 0; i < run.count; ++i)
-      {
-        const auto [lower, upper] = read[run.first + i];
-        positions[i] = vk::AabbPositionsKHR(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z);
-      }
-      run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
+      const auto [lower, upper] = read[i].Widened(SlabPadding(placed.builtReach));
+      positions[i] = vk::AabbPositionsKHR(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z);
     }
+    placed.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
   }
-  this->statistics->structureBuilds += placed.runs.size();
+  placed.any = true;
+  ++this->statistics->structureBuilds;
 }
 
 // The tree of a set: of glyphs that move, one for each slice of time.
@@ -195,7 +188,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
   placed.variants.Set(device::ORDER_OF_SLICES, !tree.order.empty());
   placed.sliceBits = tree.sliceBits;
   placed.tree = PlacedTree(this->device->GetState(), tree);
-  placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
+  placed.any = true;
   // Copies of a mesh at rest are placed, not built, as in the driver's top level.
   this->statistics->structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
 }

@@ -152,11 +152,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   variants.Set(device::MESH_POSITION_COLORS, mesh.positionValues.empty() && !mesh.positionColors.empty());
   variants.Set(device::MESH_TRIANGLE_COLORS,
     mesh.positionValues.empty() && mesh.positionColors.empty() && !mesh.triangleColors.empty());
-  if (!hasTree)
-  {
-    // The driver's top level has the glyphs.
-    placed.runs.push_back({ 0, static_cast<std::uint32_t>(set.count), {} });
-  }
+  placed.any = !hasTree; // the driver's top level has the glyphs
   this->statistics->buildSeconds += watch.Lap();
   return !keeps || before == wanted;
 }

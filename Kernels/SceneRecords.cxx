@@ -11,13 +11,13 @@
 namespace rtg
 {
 
-// Every mesh glyph at rest is an instance of the driver's structure, every other set one or a few.
+// Every mesh glyph at rest is an instance of the driver's structure, every other set one, and its periodic images.
 void Scene::State::CheckInstanceCount() const
 {
   std::size_t count = 0;
   for (const auto& [id, set] : this->sets)
   {
-    count += !set.Shown() ? 0 : set.DriverTriangles() ? set.count : set.placed.runs.size() * set.Images().size();
+    count += !set.Shown() ? 0 : set.DriverTriangles() ? set.count : set.Images().size();
   }
   if (count > this->mostInstances)
   {
@@ -90,26 +90,23 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
     for (const GlyphSet::Image& image : set.Images())
     {
       const glm::vec3 offset(set.instances.origin + image.offset - this->records.origin);
-      for (const GlyphRun& run : placed.runs)
+      vk::AccelerationStructureInstanceKHR instance;
+      const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
+        { 0, 0, 1, offset.z } } };
+      instance.transform.matrix = translation;
+      instance.instanceCustomIndex = record++;
+      instance.mask = set.Mask(image.shown);
+      // Queries yield every translucent triangle that a ray meets.
+      instance.flags =
+        static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
+                                                                  : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
+      if (set.DriverTriangles())
       {
-        vk::AccelerationStructureInstanceKHR instance;
-        const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
-          { 0, 0, 1, offset.z } } };
-        instance.transform.matrix = translation;
-        instance.instanceCustomIndex = record++;
-        instance.mask = set.Mask(image.shown);
-        // Queries yield every translucent triangle that a ray meets.
-        instance.flags =
-          static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
-                                                                    : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
-        if (set.DriverTriangles())
-        {
-          this->AddMeshInstances(set, instance, instances);
-          continue;
-        }
-        instance.accelerationStructureReference = run.structures[slice >> (sliceBits - placed.sliceBits)].Address();
-        instances.push_back(instance);
+        this->AddMeshInstances(set, instance, instances);
+        continue;
       }
+      instance.accelerationStructureReference = placed.structures[slice >> (sliceBits - placed.sliceBits)].Address();
+      instances.push_back(instance);
     }
   }
   return instances;
@@ -154,79 +151,69 @@ void Scene::State::FillRecords()
     const PlacedGlyphs& placed = set.placed;
     set.listedMask = set.Mask();
     sliceBits = std::max({ sliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
-    std::vector<device::GlyphSetRecord> runs;
-    for (const GlyphRun& run : placed.runs)
-    {
-      device::GlyphSetRecord record{};
-      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centers: a
-      // compiler may load it, for the first glyph (InSet in bindings.glsl), and drop it.
-      const vk::DeviceAddress anything = placed.arrays[0].Address() + run.first * sizeof(glm::vec3);
-      const auto at = [&](const Buffer& buffer, std::size_t stride)
-      { return buffer.Size() ? buffer.Address() + run.first * stride : anything; };
-      const GlyphInstances& instances = set.instances;
-      const GlyphColors& colors = set.colors;
-#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], RowBytes(values));
-      RTG_GLYPH_ARRAYS(RTG_FILL)
+    device::GlyphSetRecord record{};
+    // What a set lacks and another set of the scene has points at the centers: a compiler may load it, for the first
+    // glyph (InSet in bindings.glsl), and drop it.
+    const vk::DeviceAddress anything = placed.arrays[0].Address();
+    const auto at = [&](const Buffer& buffer) { return buffer.Size() ? buffer.Address() : anything; };
+    const GlyphInstances& instances = set.instances;
+    const GlyphColors& colors = set.colors;
+#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number]);
+    RTG_GLYPH_ARRAYS(RTG_FILL)
 #undef RTG_FILL
 #define RTG_FILL(type, name, value) record.name = static_cast<decltype(record.name)>(value);
-      RTG_GLYPH_NUMBERS(RTG_FILL)
+    RTG_GLYPH_NUMBERS(RTG_FILL)
 #undef RTG_FILL
 #define RTG_FILL(type, name) record.name = set.material.name;
-      RTG_MATERIAL(RTG_FILL)
+    RTG_MATERIAL(RTG_FILL)
 #undef RTG_FILL
-      record.tree = placed.tree.record;
-      record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
-      record.polynomialWidth = static_cast<std::uint32_t>(instances.polynomials.width);
-      record.variants = placed.variants.bits;
-      record.setId = id;
-      record.firstGlyph = run.first;
-      record.glyphCount = run.count;
-      record.translucent = set.Translucent();
-      record.colored = placed.variants.Has(device::COLORS | device::END_COLORS | device::MESH_COLORS | device::FORMS |
-        device::SIGN_COLORS | device::DIRECTION_COLORS);
-      record.colorTable = at(placed.colorTable, 0);
-      record.colorTableSize = static_cast<std::uint32_t>(colors.table.size());
-      // What the coat reflects straight back (Fresnel)
-      const float coatRoot = (set.material.coatIor - 1.0f) / (set.material.coatIor + 1.0f);
-      record.coatReflectance = coatRoot * coatRoot;
-      if (const TriangleMesh* source = placed.mesh.source.get())
-      {
-        const PlacedMesh& mesh = placed.mesh;
-        const auto ofMesh = [&](const Buffer& buffer) { return (buffer.Size() ? buffer : mesh.positions).Address(); };
-        record.meshPositions = mesh.positions.Address();
-        record.meshTriangles = mesh.triangles.Address();
-        record.meshNormals = ofMesh(mesh.normals);
-        record.meshColors = ofMesh(mesh.colors);
-        record.meshVelocities = ofMesh(mesh.velocities);
-        record.meshAccelerations = ofMesh(mesh.accelerations);
-        record.meshValueCount = static_cast<std::uint32_t>(source->positionValues.size());
-        record.meshTableSize = static_cast<std::uint32_t>(source->valueColors.size());
-        record.meshTriangleCount = static_cast<std::uint32_t>(source->triangles.size());
-        record.meshMiddle = mesh.middle;
-        record.meshRadius = mesh.radius;
-        record.meshTree = mesh.tree.record;
-        record.firstInstance = set.firstInstance;
-      }
-      if (!set.material.section.planes.empty())
-      {
-        this->FillSection(set, record);
-      }
-      runs.push_back(record);
+    record.tree = placed.tree.record;
+    record.tree.order = at(placed.tree.order);
+    record.polynomialWidth = static_cast<std::uint32_t>(instances.polynomials.width);
+    record.variants = placed.variants.bits;
+    record.setId = id;
+    record.glyphCount = static_cast<std::uint32_t>(set.count);
+    record.translucent = set.Translucent();
+    record.colored = placed.variants.Has(device::COLORS | device::END_COLORS | device::MESH_COLORS | device::FORMS |
+      device::SIGN_COLORS | device::DIRECTION_COLORS);
+    record.colorTable = at(placed.colorTable);
+    record.colorTableSize = static_cast<std::uint32_t>(colors.table.size());
+    // What the coat reflects straight back (Fresnel)
+    const float coatRoot = (set.material.coatIor - 1.0f) / (set.material.coatIor + 1.0f);
+    record.coatReflectance = coatRoot * coatRoot;
+    if (const TriangleMesh* source = placed.mesh.source.get())
+    {
+      const PlacedMesh& mesh = placed.mesh;
+      const auto ofMesh = [&](const Buffer& buffer) { return (buffer.Size() ? buffer : mesh.positions).Address(); };
+      record.meshPositions = mesh.positions.Address();
+      record.meshTriangles = mesh.triangles.Address();
+      record.meshNormals = ofMesh(mesh.normals);
+      record.meshColors = ofMesh(mesh.colors);
+      record.meshVelocities = ofMesh(mesh.velocities);
+      record.meshAccelerations = ofMesh(mesh.accelerations);
+      record.meshValueCount = static_cast<std::uint32_t>(source->positionValues.size());
+      record.meshTableSize = static_cast<std::uint32_t>(source->valueColors.size());
+      record.meshTriangleCount = static_cast<std::uint32_t>(source->triangles.size());
+      record.meshMiddle = mesh.middle;
+      record.meshRadius = mesh.radius;
+      record.meshTree = mesh.tree.record;
+      record.firstInstance = set.firstInstance;
     }
-    // Each periodic image has the same records at another place.
+    if (!set.material.section.planes.empty())
+    {
+      this->FillSection(set, record);
+    }
+    // Each periodic image has the same record at another place.
     for (const GlyphSet::Image& image : set.Images())
     {
       const glm::dvec3 offset = set.instances.origin + image.offset - this->records.origin;
       const Box moved{ set.bounds.lower + glm::vec3(offset), set.bounds.upper + glm::vec3(offset) };
       const Box bounds = moved.Widened(SlabPadding(moved.Reach()));
-      for (device::GlyphSetRecord record : runs)
-      {
-        Split(offset, record.offset, record.offsetLow);
-        record.lower = bounds.lower;
-        record.upper = bounds.upper;
-        record.mask = set.Mask(image.shown);
-        filled.push_back(record);
-      }
+      Split(offset, record.offset, record.offsetLow);
+      record.lower = bounds.lower;
+      record.upper = bounds.upper;
+      record.mask = set.Mask(image.shown);
+      filled.push_back(record);
     }
   }
   this->records.buffer = Send(this->device->GetState(), filled);

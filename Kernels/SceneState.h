@@ -21,14 +21,6 @@
 namespace rtg
 {
 
-/// Glyphs of a set with one record: all of them, or what one of the driver's bottom-level structures may hold.
-struct GlyphRun
-{
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-  std::vector<AccelerationStructure> structures; ///< of the driver: one for each slice of time
-};
-
 /// The BVH that rays traverse.
 enum class Structure
 {
@@ -88,11 +80,10 @@ struct PlacedGlyphs
   std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
   Buffer colorTable;                      ///< of values at the ends of round cones
   PlacedTree tree;
-  std::vector<GlyphRun> runs;
-  std::uint32_t sliceBits = 0; ///< of the tree, or of the runs' structures
-  PlacedMesh mesh;             ///< Shape::Mesh only
-
-  bool Any() const { return !this->runs.empty(); }
+  std::vector<AccelerationStructure> structures; ///< of the driver: one for each slice of time
+  std::uint32_t sliceBits = 0;                   ///< of the tree, or of these
+  PlacedMesh mesh;                               ///< Shape::Mesh only
+  bool any = false;
 };
 
 /// The order in which a set's glyphs lie on the device.
@@ -189,10 +180,9 @@ struct Scene::State
   std::shared_ptr<Device> device;
   std::map<SetId, GlyphSet> sets;
   SetId nextId = 0;
-  /// Most AABBs of a bottom-level structure; every device allows 2^24 - 1. Tests lower it.
-  std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
-  /// Most elements of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
+  /// Most elements of an array on the device, because SPIR-V takes indices for signed numbers, and AABBs of one of the
+  /// driver's structures. Tests lower it.
   std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
   std::shared_ptr<Statistics> statistics;

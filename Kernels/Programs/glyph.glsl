@@ -209,7 +209,7 @@ bool MayPass(const GlyphSetRecord set, const uint seed)
 // 1 - opacity passes. The result is the same at each call.
 bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const uint crossing, const float opacity)
 {
-  return UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= opacity;
+  return UnitInterval(Hash(Hash(seed, set.setId), Hash(glyph, crossing))) >= opacity;
 }
 
 bool PassesTriangle(const GlyphSetRecord set, const GlyphRay ray, const uint seed, const uint number, const Glyph glyph,

@@ -227,7 +227,7 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
   hit.normal = UnitNormal(RotateToWorld(glyph, normal / size), ray.direction);
   hit.normal = dot(hit.shadingNormal, hit.normal) < 0.0 ? -hit.normal : hit.normal;
   hit.record = record;
-  hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + number;
+  hit.glyph = set.identifiesTriangles != 0u ? triangle : number;
   hit.error = leavesSurface ? 2e-6 * set.meshRadius * LargestOf(glyph.size) : 0.0;
   if (leavesSurface && rayQueries && !Has(set.variants, MESH_TREE))
   {

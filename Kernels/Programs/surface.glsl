@@ -34,7 +34,7 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
     // The shapes' bound is 1e-6 sizes (Shapes/README.md).
     hit.error = leavesSurface ? 2e-6 * ExtentOf(set, found) : 0.0;
     hit.record = record;
-    hit.glyph = set.firstGlyph + glyph;
+    hit.glyph = glyph;
     if (cap && set.identifiesTriangles != 0u)
     {
       // Behind a cap of a surface, the triangle through which the ray leaves it.

@@ -359,33 +359,6 @@ TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
   vulkan.cpu = cpu;
 }
 
-TEST_P(StructureTest, SeveralStructuresOfOneSetGiveTheSameImage)
-{
-  const auto points = RandomPoints(1000);
-  std::vector<std::uint32_t> colors;
-  for (std::uint32_t i = 0; i < 1000; ++i)
-  {
-    colors.push_back(0xff000000u | (i * 2654435761u >> 8));
-  }
-  const auto whole = this->AddSpheres(points, 0.2f);
-  this->scene.SetColors(whole, colors);
-  Image image = this->Trace();
-  const std::vector<std::uint32_t> expected(image.color, image.color + 10000);
-  const std::vector<std::uint32_t> ids(image.glyphIds, image.glyphIds + 10000);
-
-  this->scene.Remove(whole);
-  this->scene.GetState().glyphsPerRun = 150;
-  const auto pieces = this->AddSpheres(points, 0.2f);
-  this->scene.SetColors(pieces, colors);
-  image = this->Trace();
-  if (GetParam() == rtg::Structure::Boxes)
-  {
-    EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u + 7u);
-  }
-  EXPECT_EQ(expected, std::vector<std::uint32_t>(image.color, image.color + 10000));
-  EXPECT_EQ(ids, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + 10000));
-}
-
 /// New instances near where the last ones were keep the order; others do not. The image is right all the same.
 TEST_P(StructureTest, SortsOnlyWhenTheOrderHasDecayed)
 {
