@@ -43,7 +43,7 @@ struct Image
 
 enum class Pass : std::uint32_t
 {
-  Opaque = 0,      ///< sets of opacity 1, without colors of alpha below 255
+  Opaque = 0,      ///< sets that are opaque, with all their glyphs and colors
   Translucent = 1, ///< all translucent layers in front of the nearest opaque surface, up to 256 on a ray
   All = 2          ///< both in one image; for path tracing, which mixes them at random
 };

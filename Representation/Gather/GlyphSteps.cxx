@@ -3,9 +3,9 @@
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "RayTracedRanks.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
@@ -132,6 +132,7 @@ std::vector<double> rtglyphs::GlyphSteps::Show(
     this->Forget();
     this->Source = source;
   }
+  GlyphStep points(gathered, this->PointIdArray); // before anything changes: the memory may not suffice
   vtkInformation* info = input->GetInformation();
   const double own = info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : NAN;
   // Data of the same time that come again, as after a change of a filter, take the place of what they were. A step
@@ -140,7 +141,7 @@ std::vector<double> rtglyphs::GlyphSteps::Show(
   {
     this->Before = std::move(this->Shown);
   }
-  this->Shown = { own, GlyphStep(gathered, this->PointIdArray) };
+  this->Shown = { own, std::move(points) };
   return trails ? this->FindMissing(std::isfinite(own) ? own : time, from, source) : std::vector<double>();
 }
 
@@ -154,6 +155,12 @@ void rtglyphs::GlyphSteps::Keep(double time, vtkDataObject* gathered)
     text << "The time step at " << time << " cannot be read, so trails end after it. Later steps are not reported.";
     this->AddMessage(text.str(), "unreadable");
   }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphSteps::Replace(vtkDataObject* gathered)
+{
+  this->Shown->Points = GlyphStep(gathered, this->PointIdArray);
 }
 
 //----------------------------------------------------------------------------
@@ -224,7 +231,7 @@ std::vector<double> rtglyphs::GlyphSteps::FindMissing(double time, vtkInformatio
   }
   if (end != times.end() && *end == known[1])
   {
-    this->Kept[known[1]] = shown;
+    this->Kept.insert_or_assign(known[1], shown);
   }
   return missing;
 }

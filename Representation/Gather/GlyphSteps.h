@@ -66,8 +66,13 @@ public:
   void Keep(double time, vtkDataObject* gathered);
 
   /**
+   * The tree of Show() once more, after others: a source may give other points the second time.
+   */
+  void Replace(vtkDataObject* gathered);
+
+  /**
    * Adds RayTracedArrays::Trail, from the last step backwards, NaN where there is none, and StepVelocity to the leaves
-   * of the tree of Show().
+   * of the tree of Show(), or of Replace().
    */
   void AddTo(vtkDataObject* gathered, bool trails, const std::function<rtg::PeriodicImages()>& images);
 

@@ -216,7 +216,7 @@ Evidence Weigh(Role role, const Array& array, double spacing)
   const bool named = &meaning != &unnamed;
   Evidence evidence{ meaning.Scores[role], named ? "its name" : nullptr };
   int& score = evidence.Score;
-  const bool isZero = role != VELOCITY && role != EXPONENTS && array.Least == 0.0 && array.Largest == 0.0;
+  const bool isZero = role != VELOCITY && role != EXPONENTS && array.IsZero();
   if (array.IsColor || score == 0 || !Fits(role, array, meaning) || (role == TENSOR && IsRotation(array)) || isZero)
   {
     return {}; // of zeros there is nothing to see yet
@@ -396,6 +396,10 @@ struct Columns
       return;
     }
     array.IsNegative = this->Left[names.front()]->IsNegative;
+    if (std::ranges::all_of(names, [this](const std::string& name) { return this->Left[name]->IsZero(); }))
+    {
+      array.Largest = 0.0;
+    }
     for (const std::string& name : names)
     {
       this->Left.erase(name);

@@ -40,6 +40,7 @@ struct Array
   double Least = 0.0, Largest = -1.0;  // value, of several components magnitude; Largest < Least: not known
   bool IsKnown() const { return this->Least <= this->Largest; }
   bool IsConstant() const { return this->Least == this->Largest; }
+  bool IsZero() const { return this->Least == 0.0 && this->Largest == 0.0; }
   explicit operator bool() const { return !this->Name.empty(); }
 };
 

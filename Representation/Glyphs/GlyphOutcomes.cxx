@@ -35,14 +35,14 @@ vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs
     }
   };
   say(counts[POSITION], "their position is not finite",
-    "Remove these points with Threshold by what Python Calculator makes of inputs[0].Points.");
+    "Make an array of inputs[0].Points with Python Calculator, and remove these points with Threshold.");
   const double factor = std::abs(settings.ScaleFactor);
   const bool usable = factor >= std::numeric_limits<float>::min() && factor <= std::numeric_limits<float>::max();
   if (!settings.Scaling || !usable)
   {
     say(counts[SCALE] + counts[ZERO_SCALE],
       "ScaleFactor, or Scale of the representation, is zero, not finite, or too large or small for floats",
-      "Set it to a positive number.");
+      "Set it to a number from 1e-38 to 1e38.");
   }
   else
   {

@@ -54,8 +54,8 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
       std::to_string(result.Skipped + this->GetNumberOfGlyphs()) +
-      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these points with "
-      "Threshold by what Python Calculator makes of inputs[0].Points.");
+      " triangles are not shown: a corner's position, or its motion, is not finite. Make an array of "
+      "inputs[0].Points with Python Calculator, and remove these points with Threshold.");
   }
   else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
   {

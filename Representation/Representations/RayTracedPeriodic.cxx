@@ -2,8 +2,8 @@
 
 #include "GlyphPlacement.h"
 #include "RayTracedRanks.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkBoundingBox.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"

@@ -1,4 +1,3 @@
-#include "vtkCompositeDataSet.h"
 #include "vtkRayTracedRepresentation.h"
 
 #include "GlyphJoinedArrays.h"
@@ -8,6 +7,7 @@
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkExecutive.h"
@@ -112,9 +112,6 @@ int vtkRayTracedRepresentation::RequestData(
   const bool marks = this->Content->MarksSelection() && rtglyphs::RayTracedSelection::Exists(this, SELECTION_PORT);
   vtkDataObject* selected = marks ? vtkDataObject::GetData(inputVector[SELECTION_PORT], 0) : nullptr;
   vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
-  const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
-    ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
-    : nullptr;
   rtg::Stopwatch watch;
   // Placeholder on processes without data: of the type that is received.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -125,21 +122,31 @@ int vtkRayTracedRepresentation::RequestData(
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(emptyType));
   rtglyphs::GlyphSteps& steps = this->Common.Time.Steps;
   const bool trails = this->Content->HasTrails();
-  const auto gather = [&](const std::function<void()>& next)
+  // Of another time the input is updated from here: VTK's own way, CONTINUE_EXECUTING, never ends where a step cannot
+  // be read. All ranks have the step, or none.
+  const auto gather = [&](vtkInformation* time, const std::function<void()>& next)
   {
     return this->WithinMemory(
       [&]
       {
+        if (time)
+        {
+          vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()->ShallowCopy(time, info);
+          vtkInformationExecutivePortKey* producer = vtkExecutive::PRODUCER();
+          const bool read = producer->GetExecutive(info)->Update(producer->GetPort(info)) != 0;
+          input = rtglyphs::RayTracedRanks::Largest(read ? 0.0 : 1.0) > 0.0 ? nullptr : vtkDataObject::GetData(info);
+        }
         if (input)
         {
-          this->Gather(input, wholeExtent);
+          const bool has = info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+          this->Gather(input, has ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) : nullptr);
         }
         next();
       },
       /*together=*/true);
   };
   std::vector<double> earlier;
-  bool good = gather(
+  bool good = gather(nullptr,
     [&]
     {
       if (input)
@@ -147,32 +154,26 @@ int vtkRayTracedRepresentation::RequestData(
         earlier = steps.Show(this->Gathered, input, this->GetUpdateTime(), info, this->GetInputAlgorithm(), trails);
       }
     });
-  // The input is updated from here: VTK's own way, CONTINUE_EXECUTING, never ends where a step cannot be read.
   vtkNew<vtkInformation> time, own;
-  const auto update = [&](vtkInformation* of)
-  {
-    vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()->ShallowCopy(of, info);
-    vtkInformationExecutivePortKey* producer = vtkExecutive::PRODUCER();
-    const bool read = producer->GetExecutive(info)->Update(producer->GetPort(info)) != 0;
-    input = read ? vtkDataObject::GetData(info) : nullptr;
-  };
   if (!earlier.empty())
   {
     vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()->ShallowCopy(info, own);
-    for (std::size_t i = 0; i < earlier.size() && good; ++i)
-    {
-      time->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), earlier[i]);
-      update(time);
-      good = gather([&] { steps.Keep(earlier[i], input ? this->Gathered.Get() : nullptr); });
-    }
-    update(own);
+  }
+  for (std::size_t i = 0; i < earlier.size() && good; ++i)
+  {
+    time->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), earlier[i]);
+    good = gather(time, [&] { steps.Keep(earlier[i], input ? this->Gathered.Get() : nullptr); });
   }
   good = good &&
-    gather(
+    gather(earlier.empty() ? nullptr : own.Get(),
       [&]
       {
         if (input)
         {
+          if (!earlier.empty())
+          {
+            steps.Replace(this->Gathered);
+          }
           const vtkSmartPointer<vtkDataObject> made =
             selected ? rtglyphs::RayTracedSelection::Mark(this->Gathered, selected) : this->Gathered;
           steps.AddTo(made, trails, [&] { return this->Rendering.MakeImages(made, input, /*together=*/true); });

@@ -53,6 +53,10 @@ constexpr FromData fromData[] = {
 // The choice of arrays depends on these: arrows and bodies have different arrays for orientation and scale.
 const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
+// With these the user has decided what glyphs look like.
+const std::set<std::string> forms = { "GlyphShape", "GlyphType", "ScaleMode", "Scaling", "SelectScaleArray", "Orient",
+  "SelectOrientationVectors", "GlyphTensorArray", "GlyphHarmonicsArray" };
+
 // What is chosen when glyphs are shown first, besides properties with domains that choose.
 const char* const chosenFirst[] = { "GlyphShape", "GlyphType", "Orient", "ScaleFactor", "ScaleMode", "Scaling",
   "SelectScaleArray", "SelectOrientationVectors", "ColorArrayName", "GlyphTensorLookupTable" };
@@ -249,6 +253,7 @@ void rtglyphs::RayTracedChoices::PropertyChanged(vtkSMProxy* glyphs, const std::
   {
     return;
   }
+  this->WaitsForForm &= forms.count(name) == 0;
   this->Coloring.ClearOther(glyphs, name);
   if (decisive.count(name) && ShowsGlyphs(glyphs->GetTrueParentProxy()))
   {
@@ -319,7 +324,6 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
       vtkSMPropertyHelper(display, name).Set(1);
     }
   }
-  this->WaitsForForm = !this->IsUsers("GlyphType");
   this->ChooseForm(glyphs);
   if (!this->IsUsers("ScaleFactor"))
   {
@@ -425,7 +429,8 @@ bool rtglyphs::RayTracedChoices::ChooseForm(vtkSMProxy* glyphs)
     return false;
   }
   const Scope scope;
-  if (vtkSMPropertyHelper(type).GetAsProxy() != form)
+  // Arrows in place of spheres that were chosen here; another form is a default of the user's.
+  if (vtkSMPropertyHelper(type).GetAsProxy() != form && (!directions || this->Is("GlyphType", PLUGIN)))
   {
     vtkSMPropertyHelper(type).Set(form);
     this->ChooseArrays(glyphs);

@@ -43,6 +43,14 @@ public:
 
   bool IsUsers(const std::string& name) const { return this->Is(name, USER); }
 
+  /**
+   * Whether nobody has decided what the glyphs look like: neither the user, nor data that have something to show.
+   */
+  bool WaitsForData() const
+  {
+    return this->WaitsForForm && !this->IsUsers("GlyphType") && !this->IsUsers("GlyphShape");
+  }
+
   ///@{
   /**
    * Whether a property of a ray-traced representation has a value of the plugin that counts as its default. Every
@@ -125,9 +133,9 @@ private:
   std::map<std::string, By> Chosen; // by name
   RayTracedColoring Coloring;
   RayTracedTensorTable TensorTable;
-  bool Shown = false;        // as ray-traced glyphs
-  bool WaitsForForm = false; // for data that have something to show
-  bool InView = false;       // else the display is being made
+  bool Shown = false;       // as ray-traced glyphs
+  bool WaitsForForm = true; // for data that have something to show
+  bool InView = false;      // else the display is being made
   bool TubesShown = false, TubesWanted = false;
 };
 

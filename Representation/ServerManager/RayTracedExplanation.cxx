@@ -113,7 +113,8 @@ void ExplainShutter(vtkSMProxy* display, std::vector<std::string>& sentences)
 void ExplainSurface(vtkSMProxy* display, std::vector<std::string>& sentences)
 {
   constexpr int followFrontface = 400;
-  if (vtkSMPropertyHelper(display, "Representation").GetAsString() != std::string("Ray Traced Surface"))
+  const char* kind = vtkSMPropertyHelper(display, "Representation").GetAsString();
+  if (!kind || strcmp(kind, "Ray Traced Surface") != 0)
   {
     return;
   }

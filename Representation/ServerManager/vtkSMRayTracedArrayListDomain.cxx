@@ -18,6 +18,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -136,6 +137,16 @@ std::vector<Array> JoinedOf(const std::vector<Array>& arrays, vtkPVDataInformati
   return rtglyphs::GlyphArrayRoles::Join(numbers, !numbers.empty() && data && AxesOf(data->GetBounds()) < 3);
 }
 
+// The same where arrays of zeros may be chosen, too.
+std::vector<Array> WithZeros(std::vector<Array> arrays)
+{
+  for (Array& array : arrays)
+  {
+    array.Largest = array.IsZero() ? -1.0 : array.Largest; // not known
+  }
+  return arrays;
+}
+
 // With the joined arrays in place of their columns.
 std::vector<Array> WithJoined(std::vector<Array> arrays, vtkPVDataInformation* data)
 {
@@ -240,7 +251,11 @@ Array vtkSMRayTracedArrayListDomain::Find(const std::string& name)
 Choice vtkSMRayTracedArrayListDomain::Choose(const char* only)
 {
   std::vector<Array> arrays = this->Listed();
-  std::erase_if(arrays, [only](const Array& array) { return only && array.Name != only; });
+  if (only)
+  {
+    std::erase_if(arrays, [only](const Array& array) { return array.Name != only; });
+    arrays = WithZeros(arrays);
+  }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
   const bool body = IsBody(glyphs);
@@ -262,7 +277,10 @@ Choice vtkSMRayTracedArrayListDomain::Choose(const char* only)
       return { array, "the direction of the arrows" };
     }
   }
-  return this->ChooseFor(role, arrays);
+  const Choice choice = this->ChooseFor(role, arrays);
+  auto* own = vtkSMRayTracedRepresentationProxy::SafeDownCast(glyphs);
+  const bool waits = own && own->GetChoices().WaitsForData(); // for values
+  return choice || waits ? choice : this->ChooseFor(role, WithZeros(arrays));
 }
 
 //----------------------------------------------------------------------------
@@ -308,8 +326,8 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
 std::optional<bool> vtkSMRayTracedArrayListDomain::AreAtCells(vtkPVDataInformation* data, int shape)
 {
   using Shapes = rtglyphs::GlyphShapes;
-  const std::vector<Array> points = WithJoined(ArraysOf(data->GetPointDataInformation(), nullptr), data);
-  const std::vector<Array> cells = WithJoined(ArraysOf(data->GetCellDataInformation(), nullptr), data);
+  const std::vector<Array> points = WithZeros(WithJoined(ArraysOf(data->GetPointDataInformation(), nullptr), data));
+  const std::vector<Array> cells = WithZeros(WithJoined(ArraysOf(data->GetCellDataInformation(), nullptr), data));
   const std::vector<Role> roles = shape == Shapes::SPHERICAL_HARMONICS ? std::vector<Role>{ HARMONICS }
     : Shapes::IsColored(shape)                                         ? std::vector<Role>{ TENSOR }
                                                                        : std::vector<Role>{ DIRECTION, TENSOR, SIZE };

@@ -246,6 +246,7 @@ def forms(checks):
             ("no array", False, ((20, none), (20, vectors)), None, ("SphereSource", "ArrowSource")),
             ("at rest", False, ((20, zeros), (20, vectors), (20, zeros)), None, ("SphereSource", "ArrowSource", "ArrowSource")),
             ("at rest beside a force", False, ((20, zeros + wind), (20, vectors + wind)), None, ("ArrowSource wind", "ArrowSource wind")),
+            ("at rest again, with others", False, ((20, vectors + wind), (20, zeros + wind), (20, vectors + wind)), None, ("ArrowSource velocity", ) * 3),
             ("sizes first", False, ((20, sizes), (20, sizes + vectors)), None, ("SphereSource", "SphereSource")),
             ("the user's", False, ((20, none), (20, vectors)), "Box", ("CubeSource", "CubeSource")),
             ("tensors", True, ((0, none), (20, tensors)), None, ("SphereSource None", "SphereSource Tensor Ellipsoid")),
@@ -264,10 +265,24 @@ def forms(checks):
             said = session.messages(lambda: pv.Render(view))
             if user and time == 0.0:
                 shown.GlyphType = user
+            shown.Specular = 0.1 * (time + 1.0)  # what has nothing to do with it
+            said += session.messages(lambda: pv.Render(view))
             found = [shown.GlyphType.SMProxy.GetXMLName(), arrays(shown)[1], *(str(value).strip("'") for value in (shown.GlyphShape, shown.ScaleMode))]
             checks.true("%s, time %g: %s, not %s" % (what, time, found, form), set(form.split(maxsplit=1)) <= set(found))
             checks.no_message("%s, time %g" % (what, time), said if time < 2.0 else "")
         pv.Delete(view)
+    view = session.view(60, 40)
+    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=LATE % (((20, sizes[:0]), (20, vectors)), ),
+                                   ScriptRequestInformation=scale_guess.TIMES % ([0.0, 1.0], 0.0, 1.0))
+    view.ViewTime = 0.0
+    shown = pv.Show(source, view)
+    shown.SetRepresentationType(session.REPRESENTATION)
+    pv.Render(view)
+    shown.Orient = 0
+    view.ViewTime = 1.0
+    pv.Render(view)
+    checks.equal("GlyphType after the user has set Orient", shown.GlyphType.SMProxy.GetXMLName(), "SphereSource")
+    pv.Delete(view)
 
 
 def other_data(checks):
