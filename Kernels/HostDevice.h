@@ -54,7 +54,7 @@ struct SectionSlab
   vec2 upper;
 };
 
-// The record of a set, or of one of the driver's structures of it (the custom index of its instance). Only
+// The record of a set, or of a periodic image of it (the custom index of its instance in the driver's structure). Only
 // values of features that the set has are valid.
 struct GlyphSetRecord
 {

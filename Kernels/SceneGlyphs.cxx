@@ -144,6 +144,7 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
 {
   const bool moves = set.instances.motion.Any();
   placed.sliceBits = moves ? TimeSliceBits(set.instances, set.count * bytesPerBox) : 0;
+  const float padding = SlabPadding(placed.builtReach);
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
   for (std::size_t slice = 0; slice < slices; ++slice)
   {
@@ -156,7 +157,7 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
     std::vector<vk::AabbPositionsKHR> positions(set.count);
     for (std::size_t i = 0; i < set.count; ++i)
     {
-      const auto [lower, upper] = read[i].Widened(SlabPadding(placed.builtReach));
+      const auto [lower, upper] = read[i].Widened(padding);
       positions[i] = vk::AabbPositionsKHR(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z);
     }
     placed.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));

@@ -134,6 +134,12 @@ bool rtglyphs::RayTracedChoices::ShowsGlyphs(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
+bool rtglyphs::RayTracedChoices::ShowsSurface(vtkSMProxy* display)
+{
+  return Shows(display, "Ray Traced Surface");
+}
+
+//----------------------------------------------------------------------------
 bool rtglyphs::RayTracedChoices::ShowsRayTraced(vtkSMProxy* display)
 {
   return Shows(display, "Ray Traced");
@@ -340,7 +346,7 @@ void rtglyphs::RayTracedChoices::Choose(vtkSMProxy* glyphs)
 bool rtglyphs::RayTracedChoices::Renew(vtkSMProxy* glyphs, bool otherTime)
 {
   const bool renewed = this->RenewAll(glyphs, otherTime ? Renewed::Unset : Renewed::Invalid);
-  const bool formed = this->WaitsForForm && ShowsGlyphs(glyphs->GetTrueParentProxy()) && this->ChooseForm(glyphs);
+  const bool formed = ShowsGlyphs(glyphs->GetTrueParentProxy()) && this->ChooseForm(glyphs);
   return (otherTime && this->RenewRadius(glyphs)) || renewed || formed;
 }
 
@@ -419,12 +425,16 @@ void rtglyphs::RayTracedChoices::ChooseArrays(vtkSMProxy* glyphs)
 // have none of these wait for some. Returns whether it has found any.
 bool rtglyphs::RayTracedChoices::ChooseForm(vtkSMProxy* glyphs)
 {
+  if (!this->WaitsForForm || this->IsUsers("GlyphType"))
+  {
+    return false;
+  }
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   vtkSMProperty* type = display->GetProperty("GlyphType");
   auto* list = type->FindDomain<vtkSMProxyListDomain>();
   const bool directions = !List::Named(display, "SelectOrientationVectors").empty();
   vtkSMProxy* form = list ? list->FindProxy("sources", directions ? "ArrowSource" : "SphereSource") : nullptr;
-  if (!form || !this->WaitsForForm || this->IsUsers("GlyphType"))
+  if (!form)
   {
     return false;
   }

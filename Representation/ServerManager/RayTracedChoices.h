@@ -41,6 +41,11 @@ public:
   VTKRAYTRACEDGLYPHS_EXPORT static bool IsChoosing();
   ///@}
 
+  /**
+   * Those of a property's proxy; null: it is none of a ray-traced representation.
+   */
+  static RayTracedChoices* Of(vtkSMProperty* property);
+
   bool IsUsers(const std::string& name) const { return this->Is(name, USER); }
 
   /**
@@ -94,11 +99,12 @@ public:
 
   ///@{
   /**
-   * State of a display: its ray-traced representation (null: none), whether it shows that as glyphs, or as anything ray
-   * traced, and whether it is one of ParaView's window; scripts set what they need.
+   * State of a display: its ray-traced representation (null: none), whether it shows that as glyphs, as a surface, or
+   * as anything ray traced, and whether it is one of ParaView's window; scripts set what they need.
    */
   VTKRAYTRACEDGLYPHS_EXPORT static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
   VTKRAYTRACEDGLYPHS_EXPORT static bool ShowsGlyphs(vtkSMProxy* display);
+  static bool ShowsSurface(vtkSMProxy* display);
   VTKRAYTRACEDGLYPHS_EXPORT static bool ShowsRayTraced(vtkSMProxy* display);
   static bool IsInWindow(vtkSMProxy* display);
   ///@}
@@ -118,7 +124,6 @@ private:
     Unset    // None, and what stands in the XML, where the data had nothing to choose
   };
 
-  static RayTracedChoices* Of(vtkSMProperty* property);
   bool Is(const std::string& name, By by) const;
   bool Renew(vtkSMProxy* glyphs, const std::string& name, Renewed which);
   bool RenewAll(vtkSMProxy* glyphs, Renewed which);

@@ -113,8 +113,7 @@ void ExplainShutter(vtkSMProxy* display, std::vector<std::string>& sentences)
 void ExplainSurface(vtkSMProxy* display, std::vector<std::string>& sentences)
 {
   constexpr int followFrontface = 400;
-  const char* kind = vtkSMPropertyHelper(display, "Representation").GetAsString();
-  if (!kind || strcmp(kind, "Ray Traced Surface") != 0)
+  if (!rtglyphs::RayTracedChoices::ShowsSurface(display))
   {
     return;
   }
@@ -231,7 +230,7 @@ std::vector<std::string> rtglyphs::RayTracedExplanation::Explain(vtkSMProxy* dis
   const bool own = coloring.GetAsInt() != 0 && Shapes::IsColored(shape);
   const bool directions = number("GlyphDirectionColoring") != 0.0;
   const char* color = own ? coloring.GetAsString() : directions ? "direction" : array;
-  if (color && color[0]) // null: as above
+  if (color && color[0]) // null: a number that is none of the enumeration's
   {
     const bool ofParaView = !own && !directions && !glyphs->GetChoices().IsUsers("ColorArrayName");
     const std::string why = number("ColorFromData") != 0.0 ? ": what the glyphs show"

@@ -2,6 +2,7 @@
 
 #include "GlyphArrayRoles.h"
 #include "RayTracedArrays.h"
+#include "RayTracedChoices.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -18,7 +19,6 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -278,8 +278,8 @@ Choice vtkSMRayTracedArrayListDomain::Choose(const char* only)
     }
   }
   const Choice choice = this->ChooseFor(role, arrays);
-  auto* own = vtkSMRayTracedRepresentationProxy::SafeDownCast(glyphs);
-  const bool waits = own && own->GetChoices().WaitsForData(); // for values
+  auto* choices = glyphs ? rtglyphs::RayTracedChoices::Of(this->GetProperty()) : nullptr;
+  const bool waits = choices && choices->WaitsForData(); // for values
   return choice || waits ? choice : this->ChooseFor(role, WithZeros(arrays));
 }
 
