@@ -56,7 +56,7 @@ class Filter
 {
 public:
   // A pixel whose mean is no number counts as unknown.
-  Filter(const DenoiserGuides& guides, const std::vector<glm::vec4>& means, const std::stop_token& stop)
+  Filter(const ImageFeatures& guides, const std::vector<glm::vec4>& means, const std::stop_token& stop)
     : width_(static_cast<int>(guides.width))
     , height_(static_cast<int>(guides.height))
     , stop_(stop)
@@ -230,7 +230,7 @@ private:
 
 } // namespace
 
-void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const std::stop_token& stop)
+void Denoise(std::vector<glm::vec4>& means, const ImageFeatures& guides, const std::stop_token& stop)
 {
   const Filter filter(guides, means, stop);
   const auto colorOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
@@ -266,24 +266,22 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
   const bool linear = TraitsOf(this->settings_).linear;
   if (linear)
   {
-    ParallelEach(this->image_.albedos.size(),
-      [this](std::size_t i) { this->image_.albedos[i] = shading::DisplayToLinear(this->image_.albedos[i]); });
+    ParallelEach(this->features_.albedos.size(),
+      [this](std::size_t i) { this->features_.albedos[i] = shading::DisplayToLinear(this->features_.albedos[i]); });
   }
   // The ground is a white surface whose light is what it lacks. Its depth, which no glyph has, tells it from glyphs.
   constexpr float groundDepth = 0.0f;
   for (std::size_t i = 0; i < this->missingLight_.size(); ++i)
   {
-    if (this->image_.normals[i] == glm::vec3(0.0f))
+    if (this->features_.normals[i] == glm::vec3(0.0f))
     {
-      this->image_.normals[i] = this->settings_.groundNormal;
-      this->image_.albedos[i] = glm::vec3(1.0f);
-      this->image_.viewDepths[i] = groundDepth;
+      this->features_.normals[i] = this->settings_.groundNormal;
+      this->features_.albedos[i] = glm::vec3(1.0f);
+      this->features_.viewDepths[i] = groundDepth;
       this->means_[i] = glm::vec4(glm::vec3(this->missingLight_[i]), 1.0f);
     }
   }
-  Denoise(this->means_,
-    { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths },
-    this->stop_);
+  Denoise(this->means_, this->features_, this->stop_);
 
   const bool mapsTones = MapsTones(this->settings_);
   const float exposureFactor = std::exp2(this->settings_.exposure);
@@ -293,9 +291,9 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     [&](std::size_t i)
     {
       const glm::vec4& mean = this->means_[i];
-      const bool onGround = !this->missingLight_.empty() && this->image_.viewDepths[i] == groundDepth;
+      const bool onGround = !this->missingLight_.empty() && this->features_.viewDepths[i] == groundDepth;
       glm::vec4 shown(0.0f);
-      if (mean.a > 0.0f && !onGround)
+      if (mean.a > 0.0f && !onGround && IsFinite(glm::vec3(mean)))
       {
         const glm::vec3 color = glm::vec3(mean) / mean.a;
         shown = glm::vec4(mapsTones ? shading::ToneMap(color, linear, exposureFactor, toneMapping) : color, mean.a);

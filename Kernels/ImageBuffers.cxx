@@ -1,5 +1,7 @@
 #include "ImageBuffers.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 
 namespace rtg
@@ -17,6 +19,8 @@ const std::uint32_t emptyWords[wordsPerPixel] = { 0u, glm::floatBitsToUint(1.0f)
 
 void ImageBuffers::Prepare(Device::State& device, const TraceSettings& settings, bool keepSums)
 {
+  this->width_ = settings.width;
+  this->height_ = settings.height;
   this->pixels_ = std::size_t(settings.width) * settings.height;
   const std::size_t bytes = wordsPerPixel * this->pixels_ * sizeof(std::uint32_t);
   this->words_.Fit(device, bytes);
@@ -79,26 +83,27 @@ void ImageBuffers::Show(Image& image)
   image.glyphIds = words + 3 * this->pixels_;
 }
 
-void ImageBuffers::FillFeatures(Image& image) const
+ImageFeatures ImageBuffers::Features() const
 {
-  image.normals.assign(this->pixels_, glm::vec3(0.0f));
-  image.albedos.assign(this->pixels_, glm::vec3(0.0f));
-  image.viewDepths.assign(this->pixels_, 0.0f);
+  ImageFeatures features{ this->width_, this->height_, std::vector<glm::vec3>(this->pixels_, glm::vec3(0.0f)),
+    std::vector<glm::vec3>(this->pixels_, glm::vec3(0.0f)), std::vector<float>(this->pixels_, 0.0f) };
   this->features_.Read(this->pixels_ * sizeof(device::PixelFeatures),
     [&](const void* read)
     {
       const auto* sums = static_cast<const device::PixelFeatures*>(read);
-      for (std::size_t i = 0; i < this->pixels_; ++i)
-      {
-        if (sums[i].hits > 0.0f)
+      ParallelEach(this->pixels_,
+        [&](std::size_t i)
         {
-          const float length = glm::length(sums[i].normal);
-          image.normals[i] = length > 0.0f ? sums[i].normal / length : glm::vec3(0.0f);
-          image.albedos[i] = sums[i].albedo / sums[i].hits;
-          image.viewDepths[i] = sums[i].depth / sums[i].hits;
-        }
-      }
+          if (sums[i].hits > 0.0f)
+          {
+            const float length = glm::length(sums[i].normal);
+            features.normals[i] = length > 0.0f ? sums[i].normal / length : glm::vec3(0.0f);
+            features.albedos[i] = sums[i].albedo / sums[i].hits;
+            features.viewDepths[i] = sums[i].depth / sums[i].hits;
+          }
+        });
     });
+  return features;
 }
 
 std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples, std::vector<float>* missingLight) const

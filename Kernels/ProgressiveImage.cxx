@@ -422,7 +422,7 @@ void ProgressiveImage::Smooth(const Request& request)
     this->smoothingSamples_ = this->traced_.samples;
     this->stopOfSmoothing_ = std::stop_source();
     const auto denoising = std::make_shared<std::packaged_task<std::vector<std::uint32_t>()>>(
-      request.source.Denoise(this->traced_, this->stopOfSmoothing_.get_token()));
+      request.source.Denoise(this->stopOfSmoothing_.get_token()));
     this->smoothing_ = denoising->get_future();
     bool apart = request.IsTimed();
     try

@@ -51,7 +51,7 @@ struct ImageEffort
   /// number is added to what is there.
   bool exact = true;
   Denoising denoising = Denoising::Never;
-  bool features = false; ///< the finished image has Image::normals and so on
+  bool features = false; ///< the finished image has ImageFeatures
 };
 
 /// Whether what is shown of such an image has less noise than its samples, which only whole images can be given.
@@ -73,7 +73,7 @@ public:
   /// Images of the view may soon be wanted with one of these settings: what that takes is prepared in the background.
   virtual void Expect(const ImageView& view, const std::vector<TraceSettings>& settings) = 0;
   /// The denoising of the last image, to be run in any thread. It returns or throws soon after a stop is requested.
-  virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image, std::stop_token stop) = 0;
+  virtual std::function<std::vector<std::uint32_t>()> Denoise(std::stop_token stop) = 0;
 
   /// False: there is no device, or it was lost.
   virtual bool HasDevice() const = 0;

@@ -5,29 +5,40 @@
 namespace rtg
 {
 
-Tiling::Tiling(const TraceSettings& settings)
-  : columns_(DivideUp(settings.width, tileSize))
-  , count_(this->columns_ * DivideUp(settings.height, tileSize))
+std::uint32_t LaunchCost::NextTiles(std::uint32_t left, std::uint32_t samples, std::uint32_t together) const
 {
-  // Its multiples, for all tiles, fit into 32 bits.
-  const std::uint64_t most =
-    std::min<std::uint64_t>(this->count_ * 5ull / 13, 0xffffffffull / std::max(this->count_, 1u));
-  this->stride_ = CoprimeUpTo(static_cast<std::uint32_t>(most), this->count_);
-  // Tiles that follow each other are scattered already.
-  const auto boundary = [&](std::uint32_t part)
-  { return static_cast<std::uint32_t>(std::uint64_t(this->count_) * part / settings.parts); };
-  this->begin_ = boundary(settings.part);
-  this->end_ = boundary(settings.part + 1);
-  this->rays_ =
-    settings.parts > 1 ? std::size_t(this->Size()) * raysPerTile : std::size_t(settings.width) * settings.height;
+  const double seconds = this->secondsPerRay * raysPerTile * samples;
+  const double tiles = seconds > 0.0 ? std::min(wanted / seconds, 8.0 * this->lastTiles) : 8.0;
+  return static_cast<std::uint32_t>(std::min<double>(std::max<double>(tiles, std::max(together, 1u)), left));
 }
 
-void Tiling::Fill(device::FrameRecord& frame) const
+void LaunchCost::Add(std::uint32_t tiles, std::uint32_t samples, double seconds)
 {
-  frame.tileColumns = this->columns_;
-  frame.tileCount = this->count_;
-  frame.tileStride = this->stride_;
-  frame.firstTile = this->begin_;
+  const double perRay = seconds / (double(tiles) * raysPerTile * samples);
+  this->secondsPerRay = this->secondsPerRay > 0.0 ? 0.5 * (this->secondsPerRay + perRay) : perRay;
+  this->lastTiles = std::max(tiles, 8u);
+}
+
+double LaunchCost::NextSamples(std::uint32_t samples, double longest)
+{
+  return samples * std::min(8.0, wanted / std::max(longest, 1e-9));
+}
+
+TileRange FillTiles(device::FrameRecord& frame, const TraceSettings& settings)
+{
+  frame.tileColumns = DivideUp(settings.width, tileSize);
+  frame.tileCount = frame.tileColumns * DivideUp(settings.height, tileSize);
+  // Its multiples, for all tiles, fit into 32 bits.
+  const std::uint64_t most = std::min<std::uint64_t>(frame.tileCount * 5ull / 13, 0xffffffffull / frame.tileCount);
+  frame.tileStride = CoprimeUpTo(static_cast<std::uint32_t>(most), frame.tileCount);
+  // Tiles that follow each other are scattered already.
+  const auto boundary = [&](std::uint32_t part)
+  { return static_cast<std::uint32_t>(std::uint64_t(frame.tileCount) * part / settings.parts); };
+  TileRange tiles{ boundary(settings.part), boundary(settings.part + 1) };
+  tiles.rays =
+    settings.parts > 1 ? std::size_t(tiles.Size()) * raysPerTile : std::size_t(settings.width) * settings.height;
+  frame.firstTile = tiles.begin;
+  return tiles;
 }
 
 } // namespace rtg

@@ -33,7 +33,7 @@ constexpr std::uint32_t CoprimeUpTo(std::uint32_t most, std::uint32_t count)
 /// core as many places in a row as any other, with tiles or without.
 struct LaunchGrid
 {
-  static constexpr std::uint32_t mostColumns = 1024;
+  static constexpr std::uint32_t mostColumns = 1024, mostTiles = 16 * mostColumns;
 
   explicit constexpr LaunchGrid(std::uint32_t tiles)
     : rows(DivideUp(tiles, mostColumns))
@@ -43,28 +43,36 @@ struct LaunchGrid
   std::uint32_t rows, columns; ///< tiles
 };
 
-/// The tiles of an image in the order in which they are traced, neighbors in it being far apart in the image, and those
-/// of the part that is traced.
-class Tiling
+/// What the launches of a program have cost, and how large the next one is to be where launches are cut: those that can
+/// be interrupted, and all on a GPU, whose display stands still meanwhile and whose driver takes a launch of seconds
+/// for hung.
+struct LaunchCost
 {
-public:
-  Tiling() = default; ///< none
-  /// For an image of at least one pixel.
-  explicit Tiling(const TraceSettings& settings);
+  static constexpr double wanted = 0.02; ///< seconds of a launch
+  double secondsPerRay = 0.0;            ///< of a camera ray with all that follows it; 0: unknown
+  std::uint32_t lastTiles = 0;           ///< of the last launch
 
-  std::uint32_t Begin() const { return this->begin_; } ///< number of the part's first tile
-  std::uint32_t End() const { return this->end_; }     ///< one more than that of its last
-  std::uint32_t Size() const { return this->end_ - this->begin_; }
-  std::size_t Rays() const { return this->rays_; } ///< camera rays of one sample
-
-  /// Writes the frame's record, and makes the first tile of the part the next.
-  void Fill(device::FrameRecord& frame) const;
-
-private:
-  std::uint32_t columns_ = 0, count_ = 0; ///< tiles of a row, of the image
-  std::uint32_t stride_ = 1;              ///< from a tile to the next that is traced
-  std::uint32_t begin_ = 0, end_ = 0;
-  std::size_t rays_ = 0;
+  /// Tiles of the next launch, out of `left`, with so many samples a pixel: at most eight times as many as in the last
+  /// one, because costs differ, and no fewer than the device traces at the same time (`together`), which take as long
+  /// as one.
+  std::uint32_t NextTiles(std::uint32_t left, std::uint32_t samples, std::uint32_t together) const;
+  /// Counts a launch. The cost is the mean of old and new ones, because launches differ.
+  void Add(std::uint32_t tiles, std::uint32_t samples, double seconds);
+  /// Samples a pixel of the next launches over all tiles, after so many whose longest launch took so many seconds: at
+  /// most eight times as many.
+  static double NextSamples(std::uint32_t samples, double longest);
 };
+
+/// Those tiles that are traced, by their numbers. Neighbors in this order are far apart in the image.
+struct TileRange
+{
+  std::uint32_t begin = 0, end = 0; ///< the first; one more than the last
+  std::size_t rays = 0;             ///< camera rays of one sample
+
+  std::uint32_t Size() const { return this->end - this->begin; }
+};
+
+/// Writes the tiles of an image of at least one pixel into the frame's record; the next is the first.
+TileRange FillTiles(device::FrameRecord& frame, const TraceSettings& settings);
 
 } // namespace rtg

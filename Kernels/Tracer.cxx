@@ -3,11 +3,12 @@
 #include "Frame.h"
 #include "HostDevice.h"
 #include "ImageBuffers.h"
-#include "Launcher.h"
+#include "Parallel.h"
 #include "SceneState.h"
 #include "Stopwatch.h"
 #include "Tiles.h"
 #include "TracerResources.h"
+#include "Vulkan/Pipeline.h"
 
 #include <algorithm>
 #include <chrono>
@@ -24,35 +25,31 @@ struct Tracer::State
     Image image;
     TraceSettings settings;
     Specialization specialization;
-    Tiling tiling;
-    device::FrameRecord frame{};           ///< of the samples in work; firstTile: the first one that lacks them
-    std::uint32_t atFirst = 1, atMost = 1; ///< samples of one dispatch over all tiles: of the first, of any
-    std::uint32_t atOnce = 1;              ///< likewise, of the next where launches are cut
-    double longest = 0.0;                  ///< seconds of a launch of the one in work
+    TileRange tiles;
+    device::FrameRecord frame{};          ///< of the samples in work; firstTile: the first one that lacks them
+    std::uint32_t fewest = 1, atMost = 1; ///< samples of one dispatch over all tiles
+    std::uint32_t atOnce = 1;             ///< likewise, of the next where launches are cut
+    double longest = 0.0;                 ///< seconds of a launch of the one in work
 
     /// The fraction of the requested samples that is traced; tiles before firstTile have those in work.
     double TracedFraction() const
     {
-      const double tiles = double(this->frame.firstTile - this->tiling.Begin()) / std::max(1u, this->tiling.Size());
-      return (this->image.samples + this->frame.samples * tiles) / this->settings.samples;
+      const double done = double(this->frame.firstTile - this->tiles.begin) / std::max(1u, this->tiles.Size());
+      return (this->image.samples + this->frame.samples * done) / this->settings.samples;
     }
   };
 
   Device::State& Vulkan() const { return this->shared->device->GetState(); }
+  bool Cuts(bool interruptible) const { return interruptible || !this->shared->device->IsCpu(); }
   device::FrameRecord MakeFrame(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
   void Begin(const SceneRecords& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
   void Run(const Interrupt& interrupt);
-
-  explicit State(std::shared_ptr<TracerResources> resources)
-    : shared(std::move(resources))
-    , launcher(this->shared->device)
-  {
-  }
+  double LaunchTiles(const std::shared_ptr<Program>& program, bool interruptible);
 
   std::shared_ptr<TracerResources> shared;
-  Launcher launcher;
+  FrameBlock frameBlock;
   ImageBuffers buffers;
   Buffer lightBuffer;
   Job job; ///< the last one; goes on where image.complete is false
@@ -64,8 +61,9 @@ Tracer::Tracer(std::shared_ptr<Device> device)
 }
 
 Tracer::Tracer(std::shared_ptr<TracerResources> shared)
-  : state_(std::make_unique<State>(std::move(shared)))
+  : state_(std::make_unique<State>())
 {
+  this->state_->shared = std::move(shared);
 }
 
 Tracer::~Tracer() = default;
@@ -119,8 +117,10 @@ void Tracer::State::Begin(const SceneRecords& scene, const Camera& camera, const
     return;
   }
   begun.atMost = SamplesAtOnce(settings, pixels);
-  begun.atOnce = begun.atFirst = std::min(SamplesAtFirst(settings), begun.atMost);
-  const std::uint32_t atOnce = this->launcher.Cuts(interruptible) ? begun.atFirst : begun.atMost;
+  // A thread of a GPU takes its samples one after the other, however few there are.
+  begun.fewest = this->shared->device->IsCpu() ? std::min(SamplesAtFirst(settings), begun.atMost) : 1;
+  begun.atOnce = begun.fewest;
+  const std::uint32_t atOnce = this->Cuts(interruptible) ? begun.fewest : begun.atMost;
   const bool keeps = settings.keepSums || atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.sets.empty();
@@ -143,8 +143,48 @@ void Tracer::State::Begin(const SceneRecords& scene, const Camera& camera, const
     FillTimeStrata(begun.frame, settings);
   }
 
-  begun.tiling = Tiling(settings);
-  begun.tiling.Fill(begun.frame);
+  begun.tiles = FillTiles(begun.frame, settings);
+}
+
+// Traces some of the tiles from frame.firstTile on, and makes the next one that. Returns the seconds that it took.
+double Tracer::State::LaunchTiles(const std::shared_ptr<Program>& program, bool interruptible)
+{
+  Stopwatch watch;
+  Device::State& vulkan = this->Vulkan();
+  device::FrameRecord& frame = this->job.frame;
+  LaunchCost& cost = this->shared->costs[program];
+  constexpr std::uint32_t ofGpu = 512;
+  const std::uint32_t together = vulkan.cpu ? static_cast<std::uint32_t>(ThreadCount()) : ofGpu;
+  const std::uint32_t left = std::min(this->job.tiles.end - frame.firstTile, LaunchGrid::mostTiles);
+  const std::uint32_t tiles = this->Cuts(interruptible) ? cost.NextTiles(left, frame.samples, together) : left;
+  const LaunchGrid grid(tiles);
+  frame.endTile = frame.firstTile + tiles;
+  frame.launchWidth = grid.columns * raysPerTile;
+  if (!this->frameBlock.Exists())
+  {
+    this->frameBlock = FrameBlock(vulkan);
+  }
+  if (frame.lightCount <= device::FEW_LIGHTS)
+  {
+    frame.lights = this->frameBlock.Lights();
+  }
+  using Stage = vk::PipelineStageFlagBits;
+  using Access = vk::AccessFlagBits;
+  vulkan.Submit(
+    [&](vk::raii::CommandBuffer& command)
+    {
+      this->frameBlock.Send(command, frame);
+      program->pipeline->Trace(command, this->frameBlock, frame.launchWidth, grid.rows);
+      // The host or a copy reads the results, the next launch adds to them.
+      Barrier(command, vulkan.programStages, Access::eShaderWrite,
+        vulkan.programStages | Stage::eTransfer | Stage::eHost,
+        Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead | Access::eTransferWrite |
+          Access::eHostRead);
+    });
+  frame.firstTile = frame.endTile;
+  const double seconds = watch.Lap();
+  cost.Add(tiles, frame.samples, seconds);
+  return seconds;
 }
 
 // Goes on with the job until it is done or the interrupt callback stops it, called after each launch.
@@ -155,7 +195,7 @@ void Tracer::State::Run(const Interrupt& interrupt)
   const TraceSettings& settings = work.settings;
   const bool interruptible = static_cast<bool>(interrupt);
   bool stopped = false;
-  if (work.tiling.Size() == 0)
+  if (work.tiles.Size() == 0)
   {
     work.image.samples = settings.samples;
   }
@@ -175,25 +215,23 @@ void Tracer::State::Run(const Interrupt& interrupt)
     while (work.image.samples < settings.samples && !stopped)
     {
       device::FrameRecord& frame = work.frame;
-      if (frame.firstTile == work.tiling.Begin())
+      if (frame.firstTile == work.tiles.begin)
       {
         frame.firstSample = work.image.samples;
-        frame.samples = std::min(
-          this->launcher.Cuts(interruptible) ? work.atOnce : work.atMost, settings.samples - frame.firstSample);
+        frame.samples =
+          std::min(this->Cuts(interruptible) ? work.atOnce : work.atMost, settings.samples - frame.firstSample);
         work.longest = 0.0;
       }
-      work.longest = std::max(work.longest,
-        this->launcher.LaunchTiles(
-          *program->pipeline, this->shared->costs[program], frame, work.tiling.End(), interruptible));
+      work.longest = std::max(work.longest, this->LaunchTiles(program, interruptible));
       this->shared->statistics->traceSeconds += watch.Lap();
-      if (frame.firstTile == work.tiling.End())
+      if (frame.firstTile == work.tiles.end)
       {
-        frame.firstTile = work.tiling.Begin();
+        frame.firstTile = work.tiles.begin;
         work.image.samples += frame.samples;
         work.atOnce = static_cast<std::uint32_t>(
-          std::clamp<double>(Launcher::NextSamples(frame.samples, work.longest), work.atFirst, work.atMost));
+          std::clamp<double>(LaunchCost::NextSamples(frame.samples, work.longest), work.fewest, work.atMost));
         ++this->shared->statistics->dispatches;
-        this->shared->statistics->primaryRays += work.tiling.Rays() * frame.samples;
+        this->shared->statistics->primaryRays += work.tiles.rays * frame.samples;
       }
       stopped = work.image.samples < settings.samples && interruptible && interrupt(work.TracedFraction());
     }
@@ -203,10 +241,6 @@ void Tracer::State::Run(const Interrupt& interrupt)
   if (work.image.width > 0 && work.image.height > 0)
   {
     this->buffers.Show(work.image);
-  }
-  if (settings.features && work.image.complete)
-  {
-    this->buffers.FillFeatures(work.image);
   }
   this->shared->statistics->traceSeconds += watch.Lap();
 }
@@ -280,17 +314,23 @@ std::vector<glm::vec4> Tracer::Means(std::vector<float>* missingLight) const
   return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(image.samples, missingLight); });
 }
 
-DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
+ImageFeatures Tracer::Features() const
+{
+  const State& state = *this->state_;
+  if (!state.job.settings.features || !state.job.image.complete || !state.job.image.color)
+  {
+    throw Error("Ray Traced Glyphs: Features() needs an image that was traced with features.");
+  }
+  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Features(); });
+}
+
+DenoiseTask Tracer::Denoise(std::stop_token stop) const
 {
   const State& state = *this->state_;
   DenoiseTask task;
   task.settings_ = state.job.settings;
+  task.features_ = this->Features();
   task.means_ = this->Means(task.settings_.groundNormal != glm::vec3(0.0f) ? &task.missingLight_ : nullptr);
-  if (image.normals.size() != task.means_.size())
-  {
-    throw Error("Ray Traced Glyphs: denoising needs an image that was traced with features.");
-  }
-  task.image_ = image;
   task.shared_ = state.shared;
   task.stop_ = std::move(stop);
   return task;

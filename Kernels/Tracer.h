@@ -30,15 +30,20 @@ struct Image
   /// Set and glyph (see Scene::OriginalGlyph) of the same sample; noGlyph: nothing hit.
   const std::uint32_t* setIds = nullptr;
   const std::uint32_t* glyphIds = nullptr;
-  /// With TraceSettings::features, means over the samples that hit: unit normal (of the surface, world frame), color
-  /// without light, view depth. Zero: nothing hit.
-  std::vector<glm::vec3> normals, albedos;
-  std::vector<float> viewDepths;
   std::uint32_t samples = 0; ///< samples a pixel in it so far, in all pixels
   /// False: tracing was interrupted, and some pixels have further samples, or none yet where samples is 0.
   bool complete = true;
   double fraction = 1.0; ///< of the samples requested so far that are traced, in [0, 1]
   static constexpr std::uint32_t noGlyph = 0xffffffffu;
+};
+
+/// Features of an image's pixels besides their noisy light: means over the samples that hit. Zero: nothing was hit.
+struct ImageFeatures
+{
+  std::uint32_t width = 0, height = 0;
+  std::vector<glm::vec3> normals; ///< unit, of the surface, in the world's frame
+  std::vector<glm::vec3> albedos; ///< color without light
+  std::vector<float> viewDepths;
 };
 
 enum class Pass : std::uint32_t
@@ -109,7 +114,7 @@ struct TraceSettings
   std::uint32_t plannedSamples = 0;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
-  bool features = false; ///< gather Image::normals and so on
+  bool features = false; ///< gather ImageFeatures
 
   /// The image has so many equal parts, scattered over it in tiles. This one, < parts, is traced; the rest stays empty.
   /// For processes that trace an image together.
@@ -149,7 +154,7 @@ private:
   friend class Tracer;
   std::vector<glm::vec4> means_;
   std::vector<float> missingLight_; ///< on the ground; empty: there is none
-  Image image_;
+  ImageFeatures features_;
   TraceSettings settings_;
   std::shared_ptr<TracerResources> shared_;
   std::stop_token stop_;
@@ -185,9 +190,12 @@ public:
   /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
   std::vector<glm::vec4> Means(std::vector<float>* missingLight = nullptr) const;
 
+  /// Of the last image, which must be complete and traced with features.
+  ImageFeatures Features() const;
+
   /// The denoising of the last image, which must be complete and traced with keepSums and features. It has copies of
   /// what it needs: more samples can be added meanwhile. It throws rtg::Error soon after a stop is requested.
-  DenoiseTask Denoise(const Image& image, std::stop_token stop = {}) const;
+  DenoiseTask Denoise(std::stop_token stop = {}) const;
 
   const Statistics& GetStatistics() const;
 

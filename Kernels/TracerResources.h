@@ -4,6 +4,7 @@
 #include "Environment.h"
 #include "HostDevice.h"
 #include "Scene.h"
+#include "Tiles.h"
 #include "Tracer.h"
 #include "Vulkan/Buffer.h"
 #include "Vulkan/ProgramLibrary.h"
@@ -21,13 +22,7 @@ class TracerResources
 public:
   TracerResources(std::shared_ptr<Device> device, std::shared_ptr<Statistics> statistics);
 
-  /// What a program's launches have cost in this view.
-  struct Cost
-  {
-    double secondsPerRay = 0.0;  ///< of a camera ray with all that follows it; 0: unknown
-    std::uint32_t lastTiles = 0; ///< of the last launch
-  };
-  std::map<std::weak_ptr<const Program>, Cost, std::owner_less<>> costs;
+  std::map<std::weak_ptr<const Program>, LaunchCost, std::owner_less<>> costs; ///< in this view
 
   /// The device's program of that key; if it has none, another thread begins to compile it.
   std::shared_ptr<Program> ProgramFor(const Specialization& specialization);

@@ -43,11 +43,11 @@ std::string NameOfRank(const std::string& name)
 
 //----------------------------------------------------------------------------
 std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
-  const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
+  const std::vector<std::pair<const rtg::Image*, rtg::ImageFeatures>>& images, const rtg::Scene& scene,
   const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers, double eyeDepth)
 {
   vtkNew<vtkImageData> data;
-  data->SetDimensions(static_cast<int>(images[0]->width), static_cast<int>(images[0]->height), 1);
+  data->SetDimensions(static_cast<int>(images[0].first->width), static_cast<int>(images[0].first->height), 1);
   auto* colors = Add<vtkUnsignedCharArray>(data, "Color", 4);
   auto* windowDepths = Add<vtkFloatArray>(data, "WindowDepth", 1);
   auto* viewDepths = Add<vtkFloatArray>(data, "ViewDepth", 1);
@@ -59,17 +59,19 @@ std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
   auto* samples = Add<vtkIntArray>(data, "SampleCount", 1);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    const rtg::Image* image = images[0];
-    for (const rtg::Image* other : images)
+    const auto* nearest = &images[0];
+    for (const auto& other : images)
     {
-      image = other->glyphIds[i] != rtg::Image::noGlyph && other->depth[i] < image->depth[i] ? other : image;
+      const bool hit = other.first->glyphIds[i] != rtg::Image::noGlyph;
+      nearest = hit && other.first->depth[i] < nearest->first->depth[i] ? &other : nearest;
     }
+    const auto& [image, features] = *nearest;
     const std::uint32_t color = image->color[i];
     colors->SetTuple4(i, color & 255, (color >> 8) & 255, (color >> 16) & 255, color >> 24);
     windowDepths->SetValue(i, image->depth[i]);
     viewDepths->SetValue(
-      i, image->normals[i] == glm::vec3(0.0f) ? 0.0f : image->viewDepths[i] + static_cast<float>(eyeDepth));
-    const glm::vec3 normal = image->normals[i], albedo = image->albedos[i];
+      i, features.normals[i] == glm::vec3(0.0f) ? 0.0f : features.viewDepths[i] + static_cast<float>(eyeDepth));
+    const glm::vec3 normal = features.normals[i], albedo = features.albedos[i];
     normals->SetTuple3(i, normal.x, normal.y, normal.z);
     albedos->SetTuple3(i, albedo.x, albedo.y, albedo.z);
     samples->SetValue(i, static_cast<int>(image->samples));

@@ -13,6 +13,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkRayTracedMapper;
@@ -20,11 +21,12 @@ class vtkRayTracedMapper;
 namespace rtglyphs::RayTracedFeatureImage
 {
 /**
- * Writes finished images with features that show the same view. Of several ranks each writes its own, with -RANK before
- * the extension. `eyeDepth` is added to view depths: parallel rays start from another plane than the camera's. Returns
- * what is wrong; empty: nothing.
+ * Writes finished images and their features, which show the same view. Of several ranks each writes its own, with -RANK
+ * before the extension. `eyeDepth` is added to view depths: parallel rays start from another plane than the camera's.
+ * Returns what is wrong; empty: nothing.
  */
-std::string Write(const std::string& fileName, const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
+std::string Write(const std::string& fileName,
+  const std::vector<std::pair<const rtg::Image*, rtg::ImageFeatures>>& images, const rtg::Scene& scene,
   const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers, double eyeDepth);
 }
 

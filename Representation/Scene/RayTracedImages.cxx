@@ -115,9 +115,9 @@ public:
     this->Own.Tracer->CompileAhead(*this->Images.Scene, view.lights, settings);
   }
 
-  std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image, std::stop_token stop) override
+  std::function<std::vector<std::uint32_t>()> Denoise(std::stop_token stop) override
   {
-    return this->Own.Tracer->Denoise(image, std::move(stop));
+    return this->Own.Tracer->Denoise(std::move(stop));
   }
 
   bool HasDevice() const override { return this->Images.Device && !this->Images.Device->Lost(); }

@@ -489,13 +489,21 @@ void vtkRayTracedScene::EndFrame()
 
   if (!self.FeatureFile.empty() && finished && !self.Frame.GetAll().empty() && self.Images.GetScene())
   {
-    std::vector<const rtg::Image*> images;
-    for (const rtglyphs::RayTracedFrame::Drawn& drawn : self.Frame.GetAll())
+    std::string problem;
+    try
     {
-      images.push_back(&drawn.Entry->Image.GetImage());
+      std::vector<std::pair<const rtg::Image*, rtg::ImageFeatures>> images;
+      for (const rtglyphs::RayTracedFrame::Drawn& drawn : self.Frame.GetAll())
+      {
+        images.emplace_back(&drawn.Entry->Image.GetImage(), drawn.Entry->Tracer->Features());
+      }
+      problem = rtglyphs::RayTracedFeatureImage::Write(self.FeatureFile, images, *self.Images.GetScene(),
+        self.Displays.GetShownMappers(), self.Frame.GetAll().front().EyeDepth);
     }
-    const std::string problem = rtglyphs::RayTracedFeatureImage::Write(self.FeatureFile, images,
-      *self.Images.GetScene(), self.Displays.GetShownMappers(), self.Frame.GetAll().front().EyeDepth);
+    catch (const std::exception& error) // the device may be lost, or memory run out
+    {
+      problem = error.what();
+    }
     self.FeatureFile.clear();
     if (!problem.empty())
     {

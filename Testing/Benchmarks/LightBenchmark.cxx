@@ -136,14 +136,14 @@ std::vector<Method> Methods(Shading shading)
     { false, shading == Shading::AmbientOcclusion ? 8u : 4u } }; // the last one is the plugin's default
 }
 
-Pixels Denoised(Pixels means, const rtg::Image& image, Shading shading)
+Pixels Denoised(Pixels means, rtg::ImageFeatures features, Shading shading)
 {
-  std::vector<glm::vec3> albedos = image.albedos;
+  std::vector<glm::vec3>& albedos = features.albedos;
   if (shading == Shading::PathTracing)
   {
     std::transform(albedos.begin(), albedos.end(), albedos.begin(), rtg::shading::DisplayToLinear);
   }
-  rtg::Denoise(means, { image.width, image.height, image.normals, albedos, image.viewDepths });
+  rtg::Denoise(means, features);
   return means;
 }
 
@@ -164,12 +164,12 @@ struct Squares
     this->denoising = 0.0;
     for (const rtg::Camera& camera : this->cameras)
     {
-      const rtg::Image image = this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
+      this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
       means.push_back(this->tracer.Means());
       if (settings.features)
       {
         const double before = benchmark::CpuSeconds();
-        this->denoised.push_back(Denoised(means.back(), image, settings.shading));
+        this->denoised.push_back(Denoised(means.back(), this->tracer.Features(), settings.shading));
         this->denoising += benchmark::CpuSeconds() - before;
       }
     }

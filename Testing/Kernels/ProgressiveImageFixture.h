@@ -99,7 +99,7 @@ public:
 
   void Expect(const ImageView&, const std::vector<rtg::TraceSettings>& settings) override { this->expected = settings; }
 
-  std::function<std::vector<std::uint32_t>()> Denoise(const Image&, std::stop_token stop) override
+  std::function<std::vector<std::uint32_t>()> Denoise(std::stop_token stop) override
   {
     ++this->denoisings;
     return [this, stop, n = this->done]

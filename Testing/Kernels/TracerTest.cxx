@@ -22,6 +22,37 @@ TEST(LaunchGrid, HasRoomForAllTilesAndNearlyNoMore)
   }
 }
 
+// A GPU takes as long for one tile as for so many that fill it, and its threads take their samples one after the other.
+TEST(LaunchCost, LaunchesAreShortAndFillAGpu)
+{
+  constexpr std::uint32_t tiles = 240 * 135, filling = 528, together = 512, wanted = 64;
+  for (const double latency : { 1e-4, 7e-4, 1.5e-3, 8e-3, 2e-2 }) // seconds of one sample of a thread
+  {
+    rtg::LaunchCost cost;
+    double all = 0.0, longestOfAll = 0.0;
+    for (std::uint32_t samples = 1, done = 0; done < wanted;)
+    {
+      double longest = 0.0;
+      for (std::uint32_t left = tiles; left > 0;)
+      {
+        const std::uint32_t launched = cost.NextTiles(left, samples, together);
+        ASSERT_TRUE(0 < launched && launched <= left);
+        const double seconds = samples * latency * std::max(1.0, double(launched) / filling);
+        cost.Add(launched, samples, seconds);
+        left -= launched;
+        all += seconds;
+        longest = std::max(longest, seconds);
+      }
+      longestOfAll = std::max(longestOfAll, longest);
+      done += samples;
+      const double next = std::clamp(rtg::LaunchCost::NextSamples(samples, longest), 1.0, 32.0);
+      samples = std::min(static_cast<std::uint32_t>(next), wanted - done);
+    }
+    EXPECT_LT(all, 1.3 * wanted * latency * tiles / filling) << latency;
+    EXPECT_LE(longestOfAll, 2.0 * std::max(rtg::LaunchCost::wanted, latency)) << latency;
+  }
+}
+
 TEST_P(StructureTest, SphereCoversExactlyThePixelsWhoseCentersItCovers)
 {
   this->AddSpheres({ { 0.1f, -0.2f, 0.0f } }, 1.0f);

@@ -88,7 +88,7 @@ TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
     {
       this->settings.shading = shading;
       this->settings.samples = 1;
-      const Image image = this->Trace(rtg::Pass::Translucent);
+      this->Trace(rtg::Pass::Translucent);
       std::size_t covered = 0, wrong = 0;
       for (const glm::vec4& mean : this->tracer.Means())
       {

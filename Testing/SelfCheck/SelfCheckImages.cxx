@@ -135,17 +135,19 @@ void Write(std::ostream& out, const T* values, std::size_t count)
   out.write(reinterpret_cast<const char*>(values), std::streamsize(count * sizeof(T)));
 }
 
-void WriteImage(const rtg::Image& image, const std::vector<glm::vec4>& means, const std::string& path)
+void WriteImage(const rtg::Image& image, const rtg::Tracer& tracer, const std::string& path)
 {
   std::ofstream out(path, std::ios::binary);
   const std::size_t pixels = std::size_t(image.width) * image.height;
+  const std::vector<glm::vec4> means = tracer.Means();
+  const rtg::ImageFeatures features = tracer.Features();
   Write(out, means.data(), means.size());
   Write(out, image.color, pixels);
   Write(out, image.depth, pixels);
   Write(out, image.glyphIds, pixels);
-  Write(out, image.normals.data(), image.normals.size());
-  Write(out, image.albedos.data(), image.albedos.size());
-  Write(out, image.viewDepths.data(), image.viewDepths.size());
+  Write(out, features.normals.data(), features.normals.size());
+  Write(out, features.albedos.data(), features.albedos.size());
+  Write(out, features.viewDepths.data(), features.viewDepths.size());
   if (!out.flush())
   {
     throw rtg::Error("cannot write " + path);
@@ -190,8 +192,7 @@ void WriteImages(const std::string& folder, const std::vector<std::string>& shap
         settings.features = settings.keepSums = true;
         const rtg::Image image =
           tracer.Trace(scene, benchmark::CrowdCamera(), { rtg::Light(), lamp }, settings, rtg::Pass::All);
-        WriteImage(
-          image, tracer.Means(), folder + '/' + subject.name + (moves ? "-moving-" : "-still-") + mode + ".raw");
+        WriteImage(image, tracer, folder + '/' + subject.name + (moves ? "-moving-" : "-still-") + mode + ".raw");
       }
     }
   }
