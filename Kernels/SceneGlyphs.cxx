@@ -2,6 +2,7 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
+#include "Parallel.h"
 #include "Stopwatch.h"
 #include "TimeSlices.h"
 
@@ -155,11 +156,12 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const B
     }
     const BoxReader read(moves ? BoxReader(own) : boxes, set.sorted.order);
     std::vector<vk::AabbPositionsKHR> positions(set.count);
-    for (std::size_t i = 0; i < set.count; ++i)
-    {
-      const auto [lower, upper] = read[i].Widened(padding);
-      positions[i] = vk::AabbPositionsKHR(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z);
-    }
+    ParallelEach(set.count,
+      [&](std::size_t i)
+      {
+        const auto [lower, upper] = read[i].Widened(padding);
+        positions[i] = vk::AabbPositionsKHR(lower.x, lower.y, lower.z, upper.x, upper.y, upper.z);
+      });
     placed.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
   }
   placed.any = true;

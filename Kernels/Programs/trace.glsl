@@ -100,8 +100,10 @@ SurfaceHit Trace(const Query query, const bool gathers)
   return hit;
 }
 
-// Whether something stops light that arrives along `direction` (unit) from at most `distance` away.
+// Whether something stops light that arrives along `direction` (unit) from at most `distance` away. From the ground the
+// scene may be farther than the driver's boxes are padded for.
 Query ShadowQuery(const DoubleWord3 origin, const vec3 direction, const float distance, const uint seed)
 {
-  return Query(SceneRay(origin, direction, 0.0), 0.0, distance, ANY_MASK, translucency ? seed : 0u, true);
+  SceneRay ray = rayQueries ? EnterScene(origin, direction) : SceneRay(origin, direction, 0.0);
+  return Query(ray, 0.0, distance - ray.start, ANY_MASK, translucency ? seed : 0u, true);
 }

@@ -122,6 +122,21 @@ std::optional<std::size_t> FindNamed(const std::vector<vk::raii::PhysicalDevice>
   return std::nullopt;
 }
 
+// Of the processes of an MPI program on this computer the number of this one, which launchers pass on: Open MPI, MPICH
+// and Intel MPI, MVAPICH, Slurm. 0: none does.
+std::size_t LocalRank()
+{
+  for (const char* name :
+    { "OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID", "MV2_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID" })
+  {
+    if (const char* value = std::getenv(name))
+    {
+      return std::strtoul(value, nullptr, 10);
+    }
+  }
+  return 0;
+}
+
 std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
 {
   std::ostringstream found;
@@ -172,7 +187,16 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
   {
     throw Error("Ray Traced Glyphs: no Vulkan device can trace rays. Found: " + found.str() + ". " + remedy);
   }
-  return *best;
+  // Ranks share devices of one kind.
+  std::vector<std::size_t> alike;
+  for (std::size_t i = *best; i < devices.size(); ++i)
+  {
+    if (lacks[i].empty() && rank(i) == rank(*best) && DeviceName(devices[i]) == DeviceName(devices[*best]))
+    {
+      alike.push_back(i);
+    }
+  }
+  return alike[LocalRank() % alike.size()];
 }
 
 std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
@@ -408,12 +432,15 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   const vk::CommandBuffer handle = *command;
   try
   {
-    const std::lock_guard<std::mutex> lock(this->queueMutex);
-    this->queue.submit(vk::SubmitInfo({}, {}, handle), *submission.done);
+    {
+      const std::lock_guard<std::mutex> lock(this->queueMutex);
+      this->queue.submit(vk::SubmitInfo({}, {}, handle), *submission.done);
+    }
+    static_cast<void>(this->device.waitForFences(*submission.done, true, std::numeric_limits<std::uint64_t>::max()));
   }
-  catch (const vk::DeviceLostError&)
+  catch (const vk::SystemError&)
   {
-    // A submission may count as pending until a wait; it is released when this function returns.
+    // A submission may count as pending until a wait, and the caller's buffers go when this function ends.
     try
     {
       const std::lock_guard<std::mutex> lock(this->queueMutex);
@@ -424,12 +451,6 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
       // It is lost: that is what the caller hears.
     }
     throw;
-  }
-  const vk::Result result =
-    this->device.waitForFences(*submission.done, true, std::numeric_limits<std::uint64_t>::max());
-  if (result == vk::Result::eErrorDeviceLost)
-  {
-    throw vk::DeviceLostError("waiting for the device");
   }
   this->device.resetFences(*submission.done);
   submission.pool.reset();
