@@ -448,9 +448,5 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
     }
     times.push_back(static_cast<vtkMTimeType>(count));
     keep(rtglyphs::RayTracedArrays::CompositeIndex, std::move(times), [&] { return Numbers(this->Blocks, count); });
-    if (vtkDataArray* normals = sets.front()->GetNormals())
-    {
-      out->SetActiveNormals(normals->GetName());
-    }
   }
 }

@@ -57,24 +57,25 @@ vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settin
   return vtkPolyData::SafeDownCast(faces->GetOutputDataObject(0));
 }
 
+void Rename(vtkDataSetAttributes* data, const char* from, const char* to)
+{
+  if (vtkDataArray* array = data->GetArray(from))
+  {
+    vtkSmartPointer<vtkDataArray> renamed = vtk::TakeSmartPointer(array->NewInstance());
+    renamed->ShallowCopy(array);
+    renamed->SetName(to);
+    data->RemoveArray(from);
+    data->AddArray(renamed);
+  }
+}
+
 // The ids that ParaView's filter leaves under names that an input may have, too.
 void RenameIds(vtkPolyData* surface)
 {
-  const auto rename = [](vtkDataSetAttributes* data, const char* from, const char* to)
-  {
-    if (vtkDataArray* array = data->GetArray(from))
-    {
-      vtkSmartPointer<vtkDataArray> renamed = vtk::TakeSmartPointer(array->NewInstance());
-      renamed->ShallowCopy(array);
-      renamed->SetName(to);
-      data->RemoveArray(from);
-      data->AddArray(renamed);
-    }
-  };
-  rename(surface->GetPointData(), "vtkOriginalPointIds", rtglyphs::RayTracedArrays::PointIds);
+  Rename(surface->GetPointData(), "vtkOriginalPointIds", rtglyphs::RayTracedArrays::PointIds);
   if (!surface->GetCellData()->GetArray(rtglyphs::RayTracedArrays::CellIds))
   {
-    rename(surface->GetCellData(), "vtkOriginalCellIds", rtglyphs::RayTracedArrays::CellIds);
+    Rename(surface->GetCellData(), "vtkOriginalCellIds", rtglyphs::RayTracedArrays::CellIds);
   }
 }
 
@@ -87,13 +88,26 @@ vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* polygons, bool computesNor
   triangles->SetInputData(polygons);
   triangles->Update();
   vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
-  if (computesNormals && !surface->GetPointData()->GetNormals() && surface->GetNumberOfPolys() > 0)
+  if (vtkDataArray* normals = surface->GetPointData()->GetNormals())
   {
-    vtkNew<vtkPolyDataNormals> normals;
-    normals->SetFeatureAngle(30.0);
-    normals->SetInputData(surface);
-    normals->Update();
-    surface = normals->GetOutput();
+    vtkSmartPointer<vtkDataArray> own = vtk::TakeSmartPointer(normals->NewInstance());
+    own->ShallowCopy(normals);
+    own->SetName(rtglyphs::RayTracedArrays::Normals);
+    surface->GetPointData()->AddArray(own);
+  }
+  else if (computesNormals && surface->GetNumberOfPolys() > 0)
+  {
+    // VTK's filter takes this name for its own.
+    constexpr const char* taken = "Normals";
+    constexpr const char* kept = "vtkRayTraced_Kept";
+    Rename(surface->GetPointData(), taken, kept);
+    vtkNew<vtkPolyDataNormals> filter;
+    filter->SetFeatureAngle(30.0);
+    filter->SetInputData(surface);
+    filter->Update();
+    surface = filter->GetOutput();
+    Rename(surface->GetPointData(), taken, rtglyphs::RayTracedArrays::Normals);
+    Rename(surface->GetPointData(), kept, taken);
   }
   return surface;
 }

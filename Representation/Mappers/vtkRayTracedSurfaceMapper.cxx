@@ -1,5 +1,6 @@
 #include "vtkRayTracedSurfaceMapper.h"
 
+#include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
@@ -20,7 +21,8 @@ std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* s
 {
   const std::array<vtkDataArray*, 4> motion = rtglyphs::GlyphMotion::Arrays(surface, this->Settings.Motion);
   return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
-    this->Settings.Smooth ? surface->GetPointData()->GetNormals() : nullptr, motion[0], motion[1], motion[3] };
+    this->Settings.Smooth ? surface->GetPointData()->GetArray(rtglyphs::RayTracedArrays::Normals) : nullptr, motion[0],
+    motion[1], motion[3] };
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Finite.h"
 #include "GlyphMotion.h"
 #include "GlyphPlacement.h"
+#include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -139,7 +140,7 @@ rtglyphs::RayTracedTriangleBuilder::Result rtglyphs::RayTracedTriangleBuilder::B
   {
     position = rtg::IsFinite(position) ? position : glm::vec3(0.0f); // of no triangle
   }
-  vtkDataArray* normals = smooth ? polygons->GetPointData()->GetNormals() : nullptr;
+  vtkDataArray* normals = smooth ? polygons->GetPointData()->GetArray(rtglyphs::RayTracedArrays::Normals) : nullptr;
   if (normals && normals->GetNumberOfComponents() == 3)
   {
     mesh.normals = Turn(normals, placement);

@@ -200,6 +200,39 @@ def partial_arrays(checks):
     pv.Delete(view)
 
 
+def normals_as_colors(checks):
+    """An array with the name that VTK gives to normals, in one of two blocks, keeps its values, smoothly shaded or not."""
+    blocks = vtkMultiBlockDataSet()
+    for number in range(2):
+        sphere = vtkSphereSource()
+        sphere.SetCenter(2.2 * number - 1.1, 0.0, 0.0)
+        sphere.GenerateNormalsOff()
+        sphere.Update()
+        block = sphere.GetOutput()
+        if number == 0:
+            height = numpy.array([block.GetPoint(i)[1] for i in range(block.GetNumberOfPoints())])
+            session.add_arrays(block, Normals=numpy.stack([height, -height, 0.0 * height], axis=1))
+        blocks.SetBlock(number, block)
+    source = session.source(blocks)
+    view = session.view(240, 120)
+    shown = pv.Show(source, view)
+    shown.SamplesPerPixel, shown.Ambient, shown.Diffuse = 1, 1.0, 0.0
+    pv.ColorBy(shown, ("POINTS", "Normals", "X"))
+    shown.SetScalarBarVisibility(view, False)
+    pv.GetColorTransferFunction("Normals").RescaleTransferFunction(-0.5, 0.5)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.8)
+    for interpolation in ("Flat", "Gouraud"):
+        shown.Interpolation = interpolation
+        pictures = []
+        for kind in ("Surface", SURFACE):
+            shown.SetRepresentationType(kind)
+            pv.Render(view)
+            pictures.append(session.capture(view, "surface-colors-normals-%s-%s" % (interpolation.lower(), kind.split()[0].lower())))
+        share, _ = color_difference(*pictures)
+        checks.true("colored by Normals, %s: %.2f%% of the pixels differ" % (interpolation, 100 * share), share <= 0.01)
+    pv.Delete(view)
+
+
 def main():
     """All parts."""
     session.load()
@@ -208,6 +241,7 @@ def main():
     ends_of_the_range(checks)
     block_colors(checks)
     partial_arrays(checks)
+    normals_as_colors(checks)
     checks.report()
 
 
