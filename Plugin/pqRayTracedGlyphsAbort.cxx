@@ -127,6 +127,7 @@ void pqRayTracedGlyphsAbort::abortChecked(vtkObject* caller)
   if (!this->Aborted && this->SinceStart.isValid() && this->SinceStart.elapsed() > quietTime)
   {
     // Widgets that paint make OpenGL contexts of their own current, and bind their framebuffers in the window's.
+    window->GetState()->Reset(); // records what is bound, which VTK does not follow
     window->GetState()->Push();
     this->Listen();
     window->MakeCurrent();

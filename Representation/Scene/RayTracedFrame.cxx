@@ -132,6 +132,7 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
   };
   // The progress callback may switch the OpenGL context: Qt makes its own current, and binds framebuffers of widgets in
   // ours.
+  window->GetState()->Reset(); // records what is bound, which VTK does not follow
   window->GetState()->Push();
   const rtg::Image* image =
     stays && growing ? &entry.Image.GetImage() : this->Images.Update(entry, view, effort, interrupt);

@@ -25,6 +25,8 @@ namespace
 // Of views that are the same: what coordinates in [-1, 1] differ by, much less than a pixel.
 constexpr double sameView = 1e-5;
 
+using Scoped = vtkOpenGLState::ScopedglEnableDisable;
+
 std::vector<vtkOpenGLRenderPass*> Passes(vtkActor* actor)
 {
   std::vector<vtkOpenGLRenderPass*> passes;
@@ -160,7 +162,7 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
   int samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   const bool coverage = use == BLEND && opaque && samples > 1;
-  state->Push();
+  const Scoped depthTest(state, GL_DEPTH_TEST), culling(state, GL_CULL_FACE), blending(state, GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   if (use == IDS || opaque)
@@ -178,7 +180,6 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glDisable(GL_SAMPLE_ALPHA_TO_ONE);
   }
-  state->Pop();
   this->Color->Deactivate();
   this->Depth->Deactivate();
 }
@@ -217,14 +218,15 @@ void rtglyphs::RayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObj
   pixels->Activate();
   quad->Program->SetUniformi("pixels", pixels->GetTextureUnit());
   vtkOpenGLState* state = window->GetState();
-  state->Push();
+  const Scoped depthTest(state, GL_DEPTH_TEST), culling(state, GL_CULL_FACE), blending(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  const vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(GL_LEQUAL);
   quad->Render();
-  state->Pop();
   pixels->Deactivate();
   this->Color->Deactivate();
   this->Depth->Deactivate();

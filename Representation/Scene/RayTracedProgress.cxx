@@ -29,6 +29,7 @@ rtglyphs::RayTracedProgress::RayTracedProgress()
     {
       if (vtkOpenGLRenderWindow* window = static_cast<rtglyphs::RayTracedProgress*>(self)->Window)
       {
+        window->GetState()->Reset(); // records what is bound, which VTK does not follow
         window->GetState()->Push();
       }
     });

@@ -110,6 +110,22 @@ def before_a_render(checks, view, source):
     pv.Render(view)
 
 
+def with_a_bar(checks, view, source, shown):
+    """Renders after a selection, with a scalar bar or without, leave OpenGL in order."""
+    table = pv.GetColorTransferFunction("number")
+    pv.ColorBy(shown, ("POINTS", "number"))
+    bar = pv.GetScalarBar(table, view)
+    bar.Visibility = 1
+    pv.Render(view)
+    selected(lambda *a: view.SMProxy.SelectSurfacePoints(*a, 0), region(view))
+    for what, change in (("without the bar", lambda: setattr(bar, "Visibility", 0)), ("hidden", lambda: pv.Hide(source, view)),
+                         ("shown again", lambda: pv.Show(source, view)), ("with the bar", lambda: setattr(bar, "Visibility", 1))):
+        change()
+        checks.no_message("after a selection, " + what, session.messages(lambda: pv.Render(view)))
+    bar.Visibility = 0
+    pv.ColorBy(shown, None)
+
+
 def in_blocks(checks, view):
     """Selecting blocks gives the block of the glyph that is seen, as it does of ParaView's own points."""
     source = session.source(blocks())
@@ -169,6 +185,7 @@ def main():
         if shape == "Sphere":
             through(checks, view, source, shape)
             before_a_render(checks, view, source)
+            with_a_bar(checks, view, source, shown)
         pv.Delete(shown)
         pv.Delete(source)
     in_blocks(checks, view)
