@@ -18,6 +18,7 @@
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,16 +63,20 @@ int TensorColoring(vtkSMProxy* glyphs, int shape)
                                 : rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
 }
 
-// Where ParaView's settings say so; scripts do it themselves.
-void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
+// Where ParaView's settings say so; scripts do it themselves. `before`: the table of the last colors, whose bar may be
+// of no use; others may be of glyphs colored by tensors, which ParaView does not ask.
+void UpdateBars(vtkSMProxy* view, vtkSMProxy* before)
 {
-  vtkSMProxy* settings = glyphs->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
+  vtkSMProxy* settings = view->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
   vtkSMProperty* mode = settings ? settings->GetProperty("ScalarBarMode") : nullptr;
   if (mode && vtkSMPropertyHelper(mode).GetAsInt() == 0) // Automatically show and hide color bars
   {
     vtkNew<vtkSMTransferFunctionManager> tables;
-    tables->UpdateScalarBars(view,
-      vtkSMTransferFunctionManager::SHOW_USED_SCALAR_BARS | vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+    tables->UpdateScalarBars(view, vtkSMTransferFunctionManager::SHOW_USED_SCALAR_BARS);
+    if (before)
+    {
+      tables->HideScalarBarIfNotNeeded(before, view);
+    }
   }
 }
 
@@ -173,6 +178,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   {
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
   }
+  const vtkSmartPointer<vtkSMProxy> table = vtkSMPropertyHelper(display, "LookupTable").GetAsProxy();
   const bool chosen = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() && this->Choose(glyphs);
   const bool bytes = AreColors(List::Of(glyphs, "SelectScaleArray")->Find(ColorArrayOf(display)));
   if (window && this->Begun && std::exchange(this->Bytes, bytes) != bytes)
@@ -183,7 +189,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   if (window && (std::exchange(this->Replaced, false) || chosen) && !this->Bytes) // a bar would show what no table maps
   {
-    UpdateBars(glyphs, view);
+    UpdateBars(view, table);
   }
 }
 

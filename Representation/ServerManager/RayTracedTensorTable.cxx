@@ -29,6 +29,22 @@ std::string NumberOf(vtkSMProxy* glyphs)
   const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
   return number && !directions && !array.empty() ? array + " " + coloring.GetAsString() : std::string();
 }
+
+// Whether glyphs in the view are colored by it.
+bool IsUsed(const std::string& number, vtkSMProxy* view)
+{
+  const vtkSMPropertyHelper displays(view, "Representations");
+  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* display = displays.GetAsProxy(i);
+    if (rtglyphs::RayTracedChoices::ShowsGlyphs(display) && vtkSMPropertyHelper(display, "Visibility").GetAsInt() &&
+      NumberOf(rtglyphs::RayTracedChoices::GlyphsOf(display)) == number)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -39,7 +55,7 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
   const auto barOf = [&](const std::string& of)
   { return tables->GetScalarBarRepresentation(tables->GetColorTransferFunction(of.c_str(), proxies), view); };
-  if (name != this->Name && !this->Name.empty())
+  if (name != this->Name && !this->Name.empty() && !IsUsed(this->Name, view))
   {
     if (vtkSMProxy* bar = barOf(this->Name))
     {

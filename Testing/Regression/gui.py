@@ -77,6 +77,7 @@ def main():
     failures += parts(window, view, reader, shown)
     failures += sized(window, view, reader, shown)
     failures += buttons(window, view, reader, shown)
+    failures += bar_of_tensors(view)
     failures += molecule(window, view)
     return failures
 
@@ -113,6 +114,23 @@ def at_once(view, shown):
     after = (shown.ColorArrayName.GetArrayName(), shown.ColorFromData)
     wanted = ("velocity", True, ["Color by velocity: what the glyphs show"])
     return [] if found == wanted and after == ("", 0) else ["colored at once by %s, not %s; after ColorBy None by %s" % (found, wanted, after)]
+
+
+def bar_of_tensors(view):
+    """The scalar bar of glyphs that a number of their tensors colors stays when other glyphs choose their colors."""
+    points = numpy.array([[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]])
+    tensors = session.glyphs(session.source(session.poly_data(points, stress=numpy.array([[1.0, 2.0, 3.0, 0.0, 0.0, 0.0]] * 2))), view,
+                             "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphTensorColoring="Trace")
+    pv.Render(view)
+    bar = pv.GetScalarBar(tensors.GlyphTensorLookupTable, view)
+    before = bar.Visibility
+    vectors = pv.Show(session.source(session.poly_data(points + 1.0, velocity=numpy.array([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]))), view)
+    vectors.SetRepresentationType(session.REPRESENTATION)
+    pv.Render(view)
+    found = before, vectors.ColorArrayName.GetArrayName(), bar.Visibility
+    for display in (tensors, vectors):
+        pv.Delete(display)
+    return [] if found == (1, "velocity", 1) else ["the bar of tensors before and after other glyphs are colored: %s" % (found,)]
 
 
 def own_rows(window, shown):

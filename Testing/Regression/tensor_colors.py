@@ -233,6 +233,22 @@ def check_range(checks, stage):
     checks.equal("the range that a state brings", (table.RGBPoints[0], table.RGBPoints[-4]), (-9.0, 9.0))
 
 
+def check_shared_bar(checks, stage):
+    """The scalar bar stays while any glyphs in the view are colored by the number."""
+    shown = [session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)) + number, stress=numpy.array([[1.0, 2.0, 3.0, 0.0, 0.0, 0.0]]))), stage.view,
+                            "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphTensorColoring="Trace") for number in range(3)]
+    pv.Render(stage.view)
+    table = table_of(shown[0])
+    for what, change, visible in (("another surface", lambda: shown[1].SetRepresentationType("Surface"), 1),
+                                  ("hidden", lambda: setattr(shown[2], "Visibility", 0), 1),
+                                  ("another number", lambda: setattr(shown[0], "GlyphTensorColoring", "Fractional Anisotropy"), 0)):
+        change()
+        pv.Render(stage.view)
+        checks.equal("three displays, one is %s: visible scalar bars" % what, len(bars(stage.view, table)), visible)
+    for display in shown:
+        pv.Delete(display)
+
+
 def main():
     """All numbers, after arrays of a tiny and of a large range have colored the glyphs."""
     session.load()
@@ -250,6 +266,7 @@ def main():
         for left in ("tiny", "large") if coloring not in SINGLE else ("large",):
             checks.picture("%s, colors after %s" % (coloring, left), check(checks, stage, coloring, left), plain, pixels=0.0, mean=0.0)
     stage.close()
+    check_shared_bar(checks, stage)
     check_range(checks, stage)
     checks.report()
 
