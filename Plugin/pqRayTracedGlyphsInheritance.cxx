@@ -97,6 +97,14 @@ void pqRayTracedGlyphsInheritance::startup()
 void pqRayTracedGlyphsInheritance::added(pqRepresentation* display)
 {
   this->Fresh.append(display);
+  QTimer::singleShot(0, this,
+    [this]()
+    {
+      if (this->Applied.isEmpty()) // as of a script or a state
+      {
+        this->Fresh.clear();
+      }
+    });
 }
 
 //----------------------------------------------------------------------------

@@ -35,7 +35,7 @@ private:
   void added(pqRepresentation* display);
   void inherit();
 
-  QList<QPointer<pqRepresentation>> Fresh; // since the last Apply
+  QList<QPointer<pqRepresentation>> Fresh; // made by this Apply
   QList<QPointer<pqProxy>> Applied;
 };
 

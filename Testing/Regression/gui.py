@@ -367,6 +367,21 @@ def parts(window, view, reader, shown):
         setattr(shown, name, value)
     shown.GlyphType = "Cone"
     shown.GlyphType.Height = 2.0
+    # A part that has a display already, as of a script or a state, keeps it when it changes.
+    clip = pv.Clip(Input=reader)
+    old = pv.Show(clip, view)
+    old.SetRepresentationType("Surface")
+    shown.Visibility = 1
+    pv.SetActiveSource(clip)
+    pv.Render(view)
+    before = clip.Invert
+    window.wait(lambda: window.click("Invert/CheckBox"), 20)
+    window.wait(lambda: window.click("propertiesPanel/Accept") and clip.Invert != before, 20)
+    window.wait(lambda: old.Representation != "Surface", 1)
+    if clip.Invert == before or old.Representation != "Surface" or not shown.Visibility:
+        failures.append("a clip with a display is changed (%s): it is '%s', its source is %s" % (
+            clip.Invert != before, old.Representation, "shown" if shown.Visibility else "hidden"))
+    pv.Delete(clip)
     pv.SelectIDs(IDs=[0, 1, 0, 2], FieldType="POINT", Source=reader)
     for kind in "Clip", "ExtractSelection":
         shown.Visibility = 1
