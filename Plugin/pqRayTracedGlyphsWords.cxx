@@ -14,7 +14,7 @@ QString pqRayTracedGlyphsWords::Of(vtkSMRayTracedViewProxy* scene, bool refined)
   const int wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
   const int samples = std::min(scene->GetSamples(), wanted);
   const bool compiling = refined && samples == 0 && scene->GetStep().rfind("Compiling", 0) == 0;
-  const bool stopped = !refined && samples > 0 && samples < wanted; // without any sample it may have failed
+  const bool stopped = !refined && samples < wanted;
   const QString words = compiling
     ? QObject::tr("Compiling")
     : (stopped ? QObject::tr("Stopped at %1 of %2") : QObject::tr("%1 of %2")).arg(samples).arg(wanted);

@@ -116,6 +116,23 @@ def stopping(checks, window, bar, view, shown):
     shown.SamplesPerPixel = FEW
 
 
+def stopped_at_once(checks, window, bar, view, shown):
+    """An image that is stopped before its first sample says so."""
+    shown.SamplesPerPixel, shown.ShadingMode = MANY, "Path Tracing"
+    session.look(view, (0.5, 1.0, 6.0))
+    pv.Render(view)
+    for _ in range(20):
+        view.CameraPosition = [view.CameraPosition[0] + 0.1, 1.0, 6.0]
+        pv.Render(view)
+        checks.true("Stop cannot be pressed at once", window.wait(lambda: window.click(BAR + "/Stop"), LIMIT))
+        bar.waits(checks, "stopped at once", lambda: "Stop" not in bar.enabled())
+        if information(shown, "AccumulatedSamples") == 0:
+            break
+    checks.equal("samples of an image that was stopped at once", information(shown, "AccumulatedSamples"), 0)
+    checks.equal("said of an image that was stopped at once", bar.samples(), "Stopped at 0 of %d" % MANY)
+    shown.SamplesPerPixel, shown.ShadingMode = FEW, "Local"
+
+
 def views(checks, bar, view, shown):
     """Enabled only while the active view shows something ray-traced; of each view its own."""
     other = pv.CreateView("RenderView")
@@ -177,6 +194,7 @@ def main():
     pv.Render(view)
     quality(checks, window, bar, shown)
     stopping(checks, window, bar, view, shown)
+    stopped_at_once(checks, window, bar, view, shown)
     views(checks, bar, view, shown)
     long(checks, window, bar, view, cloud(20000))
     return checks.failures
