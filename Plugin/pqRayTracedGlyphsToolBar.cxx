@@ -1,6 +1,7 @@
 #include "pqRayTracedGlyphsToolBar.h"
 
 #include "pqActiveObjects.h"
+#include "pqCoreUtilities.h"
 #include "pqRayTracedGlyphsReference.h"
 #include "pqRayTracedGlyphsWords.h"
 #include "pqUndoStack.h"
@@ -78,8 +79,15 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   this->addWidget(this->Samples);
 
   QAction* reference = this->AddButton("?", tr("All shapes, and the meaning of all properties of ray-traced displays"));
-  QObject::connect(
-    reference, &QAction::triggered, this, [this]() { (new pqRayTracedGlyphsReference(this->window()))->show(); });
+  QObject::connect(reference, &QAction::triggered, this,
+    []()
+    {
+      QWidget* window = pqCoreUtilities::mainWidget();
+      auto* page = window->findChild<pqRayTracedGlyphsReference*>();
+      page = page ? page : new pqRayTracedGlyphsReference(window);
+      page->show();
+      page->raise();
+    });
 
   QObject::connect(
     &pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this, &pqRayTracedGlyphsToolBar::follow);
@@ -94,7 +102,7 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   QTimer::singleShot(0, this,
     [this]()
     {
-      if (auto* window = qobject_cast<QMainWindow*>(this->window()))
+      if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
       {
         window->addToolBar(this);
       }
@@ -170,7 +178,7 @@ void pqRayTracedGlyphsToolBar::TellTime(const pqRayTracedGlyphsRefinement::Image
 {
   const bool holds = this->Untold && this->Untold->isChecked();
   const double seconds = holds ? SecondsOf(image, this->Untold) : 0.0;
-  auto* window = qobject_cast<QMainWindow*>(this->window());
+  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
   if (seconds < 0.0)
   {
     return;

@@ -20,6 +20,7 @@
 #include <QScrollBar>
 #include <QStatusBar>
 #include <QString>
+#include <QTextEdit>
 #include <QTimer>
 #include <QWidget>
 #include <QWindow>
@@ -202,6 +203,20 @@ extern "C"
     return 1;
   }
 
+  // 1: a line of text says that.
+  Q_DECL_EXPORT int probe_write(const char* name, const char* text)
+  {
+    auto* line = qobject_cast<QLineEdit*>(Find(name));
+    return line && (line->setText(text), true);
+  }
+
+  // 1: the widget, a toolbar for one, is a window of its own.
+  Q_DECL_EXPORT int probe_float(const char* name)
+  {
+    QWidget* widget = Find(name);
+    return widget && (widget->setWindowFlag(Qt::Tool), widget->show(), true);
+  }
+
   Q_DECL_EXPORT int probe_enabled(const char* name)
   {
     const QWidget* widget = Find(name);
@@ -211,6 +226,14 @@ extern "C"
   Q_DECL_EXPORT int probe_visible(const char* name)
   {
     return Find(name) != nullptr;
+  }
+
+  // How many visible widgets have that name.
+  Q_DECL_EXPORT int probe_count(const char* name)
+  {
+    const QWidgetList all = QApplication::allWidgets();
+    return static_cast<int>(std::count_if(all.begin(), all.end(),
+      [name](const QWidget* widget) { return widget->objectName() == name && widget->isVisible(); }));
   }
 
   Q_DECL_EXPORT int probe_checked(const char* name)
@@ -266,8 +289,8 @@ extern "C"
     return enabled != actions.end() && QMetaObject::invokeMethod(*enabled, "trigger", Qt::QueuedConnection);
   }
 
-  // What a label, a button, a line of text, a progress bar or a status bar says; copied, at most `size` characters with
-  // the 0 at the end.
+  // What a label, a button, a line or page of text, a progress bar or a status bar says; copied, at most `size`
+  // characters with the 0 at the end.
   Q_DECL_EXPORT void probe_text(const char* name, char* text, int size)
   {
     const QWidget* widget = Find(name);
@@ -283,6 +306,10 @@ extern "C"
     else if (const auto* line = qobject_cast<const QLineEdit*>(widget))
     {
       said = line->text();
+    }
+    else if (const auto* page = qobject_cast<const QTextEdit*>(widget))
+    {
+      said = page->toPlainText();
     }
     else if (const auto* bar = qobject_cast<const QProgressBar*>(widget))
     {

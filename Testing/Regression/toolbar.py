@@ -18,7 +18,7 @@ from checks import Checks, cloud, information, pending  # noqa: E402
 from window import Window, run, say  # noqa: E402
 
 QUALITIES = ("Fast", "Balanced", "Publication", "PathTracing", "Custom")
-BAR = "RayTracedGlyphs"
+BAR, PAGE = "RayTracedGlyphs", "RayTracedGlyphsReference"
 #: samples that take long, and samples that do not
 MANY, FEW = 4000, 3
 #: seconds within which what is waited for must have happened
@@ -133,6 +133,14 @@ def stopped_at_once(checks, window, bar, view, shown):
     shown.SamplesPerPixel, shown.ShadingMode = FEW, "Local"
 
 
+def reference(checks, window):
+    """One page explains the properties, however often it is asked for."""
+    for _ in range(3):
+        checks.true("? cannot be pressed", window.click(BAR + "/?"))
+        window.wait(lambda: False, 0.5)
+    checks.equal("pages of properties", window.count(PAGE), 1)
+
+
 def views(checks, bar, view, shown):
     """Enabled only while the active view shows something ray-traced; of each view its own."""
     other = pv.CreateView("RenderView")
@@ -165,7 +173,8 @@ def views(checks, bar, view, shown):
 
 
 def long(checks, window, bar, view, source):
-    """What takes long says so as soon as that is measured, and not before."""
+    """What takes long says so as soon as that is measured, and not before, also while the toolbar floats."""
+    checks.true("the toolbar cannot float", window.float(BAR))
     pv.GetLayout().PreviewMode = [1200, 800]
     shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.15, RenderingQuality="Fast")
     pv.Render(view)
@@ -195,6 +204,7 @@ def main():
     quality(checks, window, bar, shown)
     stopping(checks, window, bar, view, shown)
     stopped_at_once(checks, window, bar, view, shown)
+    reference(checks, window)
     views(checks, bar, view, shown)
     long(checks, window, bar, view, cloud(20000))
     return checks.failures

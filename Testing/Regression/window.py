@@ -71,6 +71,14 @@ class Window:
         """Posts a letter; False: there is no such widget."""
         return bool(self.probe.probe_type(name.encode(), letter.encode()))
 
+    def write(self, name, text):
+        """Fills a line of text; False: there is no such widget."""
+        return bool(self.probe.probe_write(name.encode(), text.encode()))
+
+    def float(self, name):
+        """Makes a widget, a toolbar for one, a window of its own; False: there is no such widget."""
+        return bool(self.probe.probe_float(name.encode()))
+
     def enabled(self, name):
         """Whether a visible widget takes input."""
         return bool(self.probe.probe_enabled(name.encode()))
@@ -78,6 +86,10 @@ class Window:
     def visible(self, name):
         """Whether there is such a widget in sight."""
         return bool(self.probe.probe_visible(name.encode()))
+
+    def count(self, name):
+        """How many widgets in sight have that name."""
+        return self.probe.probe_count(name.encode())
 
     def checked(self, name):
         """Whether a button is pressed."""
@@ -97,12 +109,12 @@ class Window:
 
     def _words(self, function, name):
         """What a function of the probe copies."""
-        text = ctypes.create_string_buffer(20000)
+        text = ctypes.create_string_buffer(200000)
         function(name.encode(), text, len(text))
         return text.value.decode()
 
     def text(self, name):
-        """What a label, a button, a line of text, a progress bar or a status bar says."""
+        """What a label, a button, a line or page of text, a progress bar or a status bar says."""
         return self._words(self.probe.probe_text, name)
 
     def value(self, name):
