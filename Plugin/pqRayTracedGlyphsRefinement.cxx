@@ -14,6 +14,7 @@
 #include "pqServerManagerModel.h"
 #include "vtkCollection.h"
 #include "vtkCommand.h"
+#include "vtkEventQtSlotConnect.h"
 #include "vtkRenderWindow.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
@@ -66,6 +67,9 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
     });
   onlyOne = this;
 }
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsRefinement::~pqRayTracedGlyphsRefinement() = default;
 
 //----------------------------------------------------------------------------
 pqRayTracedGlyphsRefinement* pqRayTracedGlyphsRefinement::instance()
@@ -141,7 +145,7 @@ void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* represen
   {
     vtkSMPropertyHelper(proxy, "SamplesPerRender").Set(-1);
     proxy->UpdateProperty("SamplesPerRender");
-    pqCoreUtilities::connect(
+    this->Factors->Connect(
       proxy->GetProperty("ScaleFactor"), vtkCommand::ModifiedEvent, this, SLOT(showChoice(vtkObject*)));
   }
 }

@@ -11,6 +11,7 @@
 #define pqRayTracedGlyphsRefinement_h
 
 #include "pqRayTracedGlyphsAbort.h"
+#include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
 #include <QObject>
@@ -22,6 +23,7 @@
 class pqProxy;
 class pqRepresentation;
 class pqView;
+class vtkEventQtSlotConnect;
 class vtkObject;
 class vtkSMProxy;
 class vtkSMRayTracedViewProxy;
@@ -33,6 +35,7 @@ class pqRayTracedGlyphsRefinement : public QObject
 
 public:
   pqRayTracedGlyphsRefinement(QObject* parent = nullptr);
+  ~pqRayTracedGlyphsRefinement() override;
 
   void startup();
   void shutdown();
@@ -93,9 +96,10 @@ private:
   std::vector<Part> Waiting; ///< to be rendered again, the next one first
   std::vector<Part> Turned;  ///< last rendered for speed
   pqRayTracedGlyphsAbort Abort;
-  QTimer Timer;         ///< of the next step
-  QTimer AtRest;        ///< runs out when no view was turned of late
-  bool Showing = false; ///< something in the progress bar
+  vtkNew<vtkEventQtSlotConnect> Factors; ///< of the displays
+  QTimer Timer;                          ///< of the next step
+  QTimer AtRest;                         ///< runs out when no view was turned of late
+  bool Showing = false;                  ///< something in the progress bar
   bool Playing = false;
 };
 
