@@ -62,13 +62,6 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     this->ConnectMolecule();
     this->ConnectSelection();
   }
-  if (flag && strcmp(name, "Section") == 0)
-  {
-    // Where there is a cut the panel has its row among those that it always shows.
-    const vtkSMPropertyHelper section(this, name);
-    const bool cut = section.GetNumberOfElements() > 0 && section.GetAsInt() != 0;
-    this->GetProperty(name)->SetPanelVisibility(cut ? "default" : "advanced");
-  }
   if (flag)
   {
     this->Choices.PropertyChanged(this, name, byUser);

@@ -169,6 +169,9 @@ def panel(window, view, reader, shown):
             window.picture("DisplayFrame", session.output("gui-panel-%s%s.png" % (shape.replace(" ", "-"), "-advanced" if advanced else "")))
     window.click("SearchBox/AdvancedButton")
     failures += colored(window, view, shown)
+    for cut in ("Plane", "None"):
+        if not window.wait(lambda: window.choose("Section/ComboBox", cut), 10) or not window.wait(lambda: str(shown.Section).strip("'") == cut, 5):
+            failures.append("Cut By %s: %s" % (cut, shown.Section))
     sections = [label for label in window.labels("propertiesPanel") if label in SECTIONS]
     if sections != SECTIONS:
         failures.append("the panel's sections are %s" % sections)
