@@ -115,7 +115,7 @@ void pqRayTracedGlyphsArray::Show()
 void pqRayTracedGlyphsArray::choose(int entry)
 {
   const bool used = entry > 0, size = IsSize(this->proxy(), this->property());
-  this->On = used || size;
+  this->On = used || (size && this->On);
   if (used || (!size && IsVector(this->proxy())))
   {
     this->Array = used ? this->Arrays->itemText(entry) : "None";

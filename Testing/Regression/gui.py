@@ -220,6 +220,10 @@ def sized(window, view, reader, shown):
         chosen = window.wait(lambda: window.choose("SelectScaleArray/ComboBox", choice), 10)
         if not chosen or not window.wait(lambda: (str(shown.ScaleMode).strip("'"), str(shown.SelectScaleArray).strip("'")) == wanted, 5):
             failures.append("Size By %s: %s, %s" % (choice, shown.ScaleMode, shown.SelectScaleArray))
+    shown.Scaling = 0
+    if not window.wait(lambda: window.choose("SelectScaleArray/ComboBox", "None"), 10) or window.wait(lambda: shown.Scaling, 1):
+        failures.append("Size By None: Scaling is switched on")
+    shown.Scaling = 1
     shown.GlyphShape = "Split Vector"
     for choice in ("None", "velocity"):
         chosen = window.wait(lambda: window.choose("SelectOrientationVectors/ComboBox", choice), 10)
