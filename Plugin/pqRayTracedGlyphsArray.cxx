@@ -48,6 +48,9 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
   this->Arrays->setObjectName("ComboBox");
   this->Arrays->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   this->setProperty(property);
+  vtkSMProxy* glyphs = rtglyphs::RayTracedChoices::GlyphsOf(display);
+  vtkSMProperty* own = glyphs ? glyphs->GetProperty(display->GetPropertyName(property)) : nullptr;
+  this->setToolTip(pqPropertyWidget::getTooltip(own ? own : property));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Arrays);

@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedViewProxy.h"
@@ -106,6 +107,14 @@ void AddLens(QMenu* menu, pqView* view, const char* name, const QString& text, d
   QObject::connect(action, &QAction::triggered, view, [view, depth]() { FocusLens(view, depth); });
 }
 
+// Extract Surface takes data sets.
+bool MayHaveSurface(pqOutputPort* port)
+{
+  const vtkPVDataInformation* data = port->getDataInformation();
+  return data && data->GetNumberOfCells() > 0 && !data->DataSetTypeIsA(VTK_MOLECULE) &&
+    !data->DataSetTypeIsA(VTK_HYPER_TREE_GRID);
+}
+
 void AddSurface(pqOutputPort* port, pqView* view)
 {
   BEGIN_UNDO_SET(QObject::tr("Add Surface"));
@@ -130,11 +139,11 @@ bool pqRayTracedGlyphsMenu::contextMenu(
   QMenu* menu, pqView* view, const QPoint& place, pqRepresentation* display, const QList<unsigned int>&) const
 {
   auto* data = qobject_cast<pqDataRepresentation*>(display);
-  if (view && data && rtglyphs::RayTracedChoices::ShowsGlyphs(data->getProxy()))
+  const QPointer<pqOutputPort> port(data ? data->getOutputPortFromInput() : nullptr);
+  if (view && port && rtglyphs::RayTracedChoices::ShowsGlyphs(data->getProxy()) && MayHaveSurface(port))
   {
     QAction* action = menu->addAction(tr("Add Surface"));
     action->setObjectName("AddSurface");
-    const QPointer<pqOutputPort> port(data->getOutputPortFromInput());
     const QPointer<pqView> shown(view);
     QObject::connect(action, &QAction::triggered, view,
       [port, shown]()

@@ -1,5 +1,6 @@
 #include "pqRayTracedGlyphsReference.h"
 
+#include "RayTracedChoices.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMDocumentation.h"
 #include "vtkSMEnumerationDomain.h"
@@ -82,6 +83,8 @@ QString Page()
       if (IsShown(property))
       {
         const QString name = display->GetPropertyName(property);
+        vtkSMProperty* own = rtglyphs::RayTracedChoices::GlyphsOf(display)->GetProperty(qPrintable(name));
+        property = own ? own : property; // 3D Glyphs describes its properties for itself
         entries << QString("<a href='#%1'>%2</a>").arg(name, property->GetXMLLabel());
         page += QString("<tr><td width='28%'><a name='%1'></a><b>%2</b><br><small>%1</small></td><td>%3</td></tr>")
                   .arg(name, property->GetXMLLabel(), WordsOf(property));

@@ -36,6 +36,8 @@ DEFAULT_ROWS = {
     "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 25),
     "Spherical Harmonics": (DIRECTION + SIZE + FIRST + ["Harmonics Array", "Harmonics Basis"] + COLORED + BY_DIRECTION + LAST, 28),
     "Normal Stress": (DIRECTION + SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Fourth-Order Tensor": (DIRECTION + SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 27)}
+#: beginnings of tool tips
+TIPS = {"SelectScaleArray": "Array that scales", "SelectOrientationVectors": "Array that rotates"}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
@@ -79,6 +81,8 @@ def main():
     failures += buttons(window, view, reader, shown)
     failures += bar_of_tensors(view)
     failures += molecule(window, view)
+    pv.Delete(reader)
+    failures += surfaces(window, view)
     return failures
 
 
@@ -167,6 +171,8 @@ def panel(window, view, reader, shown):
             if cut or len(set(found)) < len(found):
                 failures.append("%s: labels that are cut off: %s, or twice among %s" % (shape, cut, found))
             window.picture("DisplayFrame", session.output("gui-panel-%s%s.png" % (shape.replace(" ", "-"), "-advanced" if advanced else "")))
+    tips = {name: window.tip(name) for name in TIPS}
+    failures += ["tool tip of %s: '%s'" % (name, tips[name]) for name, words in TIPS.items() if words not in tips[name]]
     window.click("SearchBox/AdvancedButton")
     failures += colored(window, view, shown)
     for cut in ("Plane", "None"):
@@ -312,6 +318,40 @@ def buttons(window, view, reader, shown):
     return failures
 
 
+def glyph_of(view):
+    """A pixel within a glyph; None: there is none."""
+    width, height = view.ViewSize
+    return next(((x, y) for y in range(height // 2, height, 7) for x in range(width // 2, width, 7) if all(view.SMProxy.Pick(x + i, y + i) for i in (-2, 0, 2))), None)
+
+
+def surfaces(window, view):
+    """Add Surface shows the surface beside the glyphs of what has one; the menu of others goes without the entry."""
+    with open(session.output("gui-molecule.xyz"), "w", encoding="ascii") as file:
+        file.write("2\n\nO 0 0 0\nH 0.96 0 0\n")
+    failures = []
+    for name, source, offered in (("a molecule", pv.XYZReader(FileName=file.name), False), ("a hyper tree grid", pv.HyperTreeGridRandom(), False),
+                                  ("points", session.source(session.poly_data(numpy.outer(range(3), (1.0, 1.0, 0.0)))), False), ("an image", pv.Wavelet(WholeExtent=[-2, 2] * 3), True),
+                                  ("polygons among blocks", pv.GroupDatasets(Input=[pv.Line(), pv.Plane()]), True)):
+        shown = session.glyphs(source, view, "Sphere", Orient=0)
+        view.ResetCamera()
+        pv.Render(view)
+        on, found = glyph_of(view), []
+        for _ in range(5):  # a click right after a display has gone opens no menu
+            if on and window.right_click("Viewport", on) and window.wait(lambda: found.extend(window.menu("Add Surface")) or "Hide" in found, 2):
+                break
+
+        def surface():
+            found = [pv.GetRepresentation(proxy, view) for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]
+            return found and found[0] and found[0].Visibility and str(found[0].Representation).strip("'") == "Ray Traced Surface" and shown.Visibility
+        if not {"Hide", "Color By"} <= set(found) or ("Add Surface" in found) != offered or (offered and not window.wait(surface, 20)):
+            failures.append("the menu of %s at %s has %s; there are %s" % (name, on, found, [name for name, _ in pv.GetSources()]))
+        pv.Delete(shown)
+        made = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]
+        for proxy in [*made, source, *(source.Input if name.startswith("polygons") else ())]:
+            pv.Delete(proxy)
+    return failures
+
+
 def clicked(window, view, shown):
     """A click of the right button on a glyph opens ParaView's menu of the display, beside the glyphs the view's."""
     failures = []
@@ -319,22 +359,13 @@ def clicked(window, view, shown):
     shown.ScaleFactor = 2.0
     view.ResetCamera()
     pv.Render(view)
-    width, height = view.ViewSize
-    on = next((at for at in ((x, y) for y in range(height // 2, height, 7) for x in range(width // 2, width, 7)) if view.SMProxy.Pick(*at)), None)
-    entries = {"Hide", "Representation", "Color By", "Add Surface", "Focus Lens Here"}
+    on = glyph_of(view)
+    entries = {"Hide", "Representation", "Color By", "Focus Lens Here"}
     for at, wanted in (((2, 2), set()), (on, entries)):
         found = []
-        if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu("Add Surface")) or found, 20) \
+        if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu()) or found, 20) \
                 or entries & set(found) != wanted:
             failures.append("the menu at %s has %s" % (at, found))
-
-    def surface():
-        found = [pv.GetRepresentation(proxy, view) for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]
-        return found and found[0] and found[0].Visibility and str(found[0].Representation).strip("'") == "Ray Traced Surface" and shown.Visibility
-    if not window.wait(surface, 20):
-        failures.append("Add Surface: %s" % list(pv.GetSources()))
-    for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]:
-        pv.Delete(proxy)
     return failures + lens(window, view, on)
 
 

@@ -134,11 +134,16 @@ def stopped_at_once(checks, window, bar, view, shown):
 
 
 def reference(checks, window):
-    """One page explains the properties, however often it is asked for."""
+    """One page explains the properties, however often it is asked for, also those of 3D Glyphs in the plugin's words."""
     for _ in range(3):
         checks.true("? cannot be pressed", window.click(BAR + "/?"))
         window.wait(lambda: False, 0.5)
     checks.equal("pages of properties", window.count(PAGE), 1)
+    words = window.text(PAGE + "/Page")
+    for wanted in ("Size By", "Direction By", "Orientation Mode", "Glyph Type", "Use Glyph Table", "SectionOrigin", "SectionLength", "Whether ScaleFactor and, by ScaleMode,",
+                   "Whether SelectOrientationVectors rotates the glyphs."):
+        checks.true("the page of properties says nothing of '%s'" % wanted, wanted in words)
+    checks.true("the page of properties has words of ParaView: %s" % words, "source geometry" not in words)
 
 
 def views(checks, bar, view, shown):
