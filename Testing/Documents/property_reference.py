@@ -18,7 +18,7 @@ HEAD = """<!-- Written by Testing/Documents/property_reference.py from the XML i
 # Properties
 
 Ray Traced Glyphs, Ray Traced Surface and Ray Traced Tubes have all properties of ParaView's Surface, with the same values, and those below.
-The panel shows the same texts as tool tips; the toolbar's button *?* opens them as a page. [README.md](README.md) has the shapes, formulas and orders of components."""
+The panel shows the same texts as tool tips, but for rows of 3D Glyphs such as Scale Factor, which have ParaView's; the toolbar's button *?* opens them as a page. [README.md](README.md) has the shapes, formulas and orders of components."""
 
 
 def definitions(name):
