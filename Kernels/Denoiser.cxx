@@ -293,7 +293,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
       const glm::vec4& mean = this->means_[i];
       const bool onGround = !this->missingLight_.empty() && this->features_.viewDepths[i] == groundDepth;
       glm::vec4 shown(0.0f);
-      if (mean.a > 0.0f && !onGround && IsFinite(glm::vec3(mean)))
+      if (mean.a > 0.0f && !onGround)
       {
         const glm::vec3 color = glm::vec3(mean) / mean.a;
         shown = glm::vec4(mapsTones ? shading::ToneMap(color, linear, exposureFactor, toneMapping) : color, mean.a);
@@ -302,7 +302,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
       {
         shown = shading::OverShadow(shown, onGround ? mean.r : this->missingLight_[i], linear);
       }
-      smooth[i] = glm::packUnorm4x8(shown);
+      smooth[i] = glm::packUnorm4x8(glm::mix(shown, glm::vec4(0.0f), glm::isnan(shown)));
     });
   shared->denoiseSeconds += watch.Lap();
   return smooth;

@@ -36,8 +36,8 @@ void FillScene(device::FrameRecord& frame, const SceneRecords& scene);
 
 /// Samples a pixel in one dispatch at most: a driver resets a GPU whose dispatch takes seconds.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
-/// Samples a pixel in the first dispatch, while the cost of a sample is unknown: few pixels are few threads, each
-/// of which traces all of its samples one after the other.
+/// Samples a pixel in the first dispatch on a CPU, while the cost of a sample is unknown, and in any later one at
+/// least.
 std::uint32_t SamplesAtFirst(const TraceSettings& settings);
 
 /// How many binary digits of the time in the shutter's opening are common to all pixels in one sample, so that

@@ -5,11 +5,11 @@
 namespace rtg
 {
 
-std::uint32_t LaunchCost::NextTiles(std::uint32_t left, std::uint32_t samples, std::uint32_t together) const
+std::uint32_t LaunchCost::NextTiles(std::uint32_t left, std::uint32_t samples) const
 {
   const double seconds = this->secondsPerRay * raysPerTile * samples;
   const double tiles = seconds > 0.0 ? std::min(wanted / seconds, 8.0 * this->lastTiles) : 8.0;
-  return static_cast<std::uint32_t>(std::min<double>(std::max<double>(tiles, std::max(together, 1u)), left));
+  return static_cast<std::uint32_t>(std::min<double>(std::max<double>(tiles, this->together), left));
 }
 
 void LaunchCost::Add(std::uint32_t tiles, std::uint32_t samples, double seconds)
@@ -17,6 +17,11 @@ void LaunchCost::Add(std::uint32_t tiles, std::uint32_t samples, double seconds)
   const double perRay = seconds / (double(tiles) * raysPerTile * samples);
   this->secondsPerRay = this->secondsPerRay > 0.0 ? 0.5 * (this->secondsPerRay + perRay) : perRay;
   this->lastTiles = std::max(tiles, 8u);
+  constexpr std::uint32_t ofSmallGpus = 32;
+  if (seconds > longest && samples == 1 && tiles <= this->together && this->together > ofSmallGpus)
+  {
+    this->together /= 2;
+  }
 }
 
 double LaunchCost::NextSamples(std::uint32_t samples, double longest)

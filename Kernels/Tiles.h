@@ -48,14 +48,14 @@ struct LaunchGrid
 /// for hung.
 struct LaunchCost
 {
-  static constexpr double wanted = 0.02; ///< seconds of a launch
-  double secondsPerRay = 0.0;            ///< of a camera ray with all that follows it; 0: unknown
-  std::uint32_t lastTiles = 0;           ///< of the last launch
+  static constexpr double wanted = 0.02, longest = 0.2; ///< seconds of a launch
+  std::uint32_t together = 1;  ///< tiles that the device may trace at the same time, which take as long as one
+  double secondsPerRay = 0.0;  ///< of a camera ray with all that follows it; 0: unknown
+  std::uint32_t lastTiles = 0; ///< of the last launch
 
   /// Tiles of the next launch, out of `left`, with so many samples a pixel: at most eight times as many as in the last
-  /// one, because costs differ, and no fewer than the device traces at the same time (`together`), which take as long
-  /// as one.
-  std::uint32_t NextTiles(std::uint32_t left, std::uint32_t samples, std::uint32_t together) const;
+  /// one, because costs differ, and at least `together`, which is halved while as many take too long with one sample.
+  std::uint32_t NextTiles(std::uint32_t left, std::uint32_t samples) const;
   /// Counts a launch. The cost is the mean of old and new ones, because launches differ.
   void Add(std::uint32_t tiles, std::uint32_t samples, double seconds);
   /// Samples a pixel of the next launches over all tiles, after so many whose longest launch took so many seconds: at

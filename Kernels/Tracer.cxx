@@ -152,11 +152,11 @@ double Tracer::State::LaunchTiles(const std::shared_ptr<Program>& program, bool 
   Stopwatch watch;
   Device::State& vulkan = this->Vulkan();
   device::FrameRecord& frame = this->job.frame;
-  LaunchCost& cost = this->shared->costs[program];
   constexpr std::uint32_t ofGpu = 512;
   const std::uint32_t together = vulkan.cpu ? static_cast<std::uint32_t>(ThreadCount()) : ofGpu;
+  LaunchCost& cost = this->shared->costs.try_emplace(program, LaunchCost{ together }).first->second;
   const std::uint32_t left = std::min(this->job.tiles.end - frame.firstTile, LaunchGrid::mostTiles);
-  const std::uint32_t tiles = this->Cuts(interruptible) ? cost.NextTiles(left, frame.samples, together) : left;
+  const std::uint32_t tiles = this->Cuts(interruptible) ? cost.NextTiles(left, frame.samples) : left;
   const LaunchGrid grid(tiles);
   frame.endTile = frame.firstTile + tiles;
   frame.launchWidth = grid.columns * raysPerTile;

@@ -123,11 +123,11 @@ std::optional<std::size_t> FindNamed(const std::vector<vk::raii::PhysicalDevice>
 }
 
 // Of the processes of an MPI program on this computer the number of this one, which launchers pass on: Open MPI, MPICH
-// and Intel MPI, MVAPICH, Slurm. 0: none does.
+// and Intel MPI, MVAPICH, Cray PALS, Flux, Slurm. 0: none does.
 std::size_t LocalRank()
 {
-  for (const char* name :
-    { "OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID", "MV2_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID" })
+  for (const char* name : { "OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID", "MV2_COMM_WORLD_LOCAL_RANK",
+         "PALS_LOCAL_RANKID", "FLUX_TASK_LOCAL_ID", "SLURM_LOCALID" })
   {
     if (const char* value = std::getenv(name))
     {
@@ -446,9 +446,13 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
       const std::lock_guard<std::mutex> lock(this->queueMutex);
       this->device.waitIdle();
     }
+    catch (const vk::DeviceLostError&)
+    {
+      throw;
+    }
     catch (const vk::SystemError&)
     {
-      // It is lost: that is what the caller hears.
+      // The caller hears the first failure.
     }
     throw;
   }

@@ -29,8 +29,7 @@ constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
 constexpr const char* StepVelocity = "From Previous Step";
 /// Of each point: where it was in earlier steps (GlyphSteps). Missing unless requested.
 constexpr const char* Trail = "vtkRayTraced_Trail";
-/// Of each point of a surface: the normal that it is shaded by, the input's or a computed one. Missing where it is
-/// flat.
+/// Of each point of a surface: the normal that it is shaded by, the input's or a computed one. Optional.
 constexpr const char* Normals = "vtkRayTraced_Normals";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";

@@ -487,18 +487,21 @@ void vtkRayTracedScene::EndFrame()
     self.Status.SumNumbers(self.Displays, self.Images);
   }
 
-  if (!self.FeatureFile.empty() && finished && !self.Frame.GetAll().empty() && self.Images.GetScene())
+  const std::vector<rtglyphs::RayTracedFrame::Drawn>& all = self.Frame.GetAll();
+  const bool kept =
+    std::all_of(all.begin(), all.end(), [](const auto& drawn) { return drawn.Entry->Tracer != nullptr; });
+  if (self.Frame.GetKind().Features && finished && kept && !all.empty() && self.Images.GetScene())
   {
     std::string problem;
     try
     {
       std::vector<std::pair<const rtg::Image*, rtg::ImageFeatures>> images;
-      for (const rtglyphs::RayTracedFrame::Drawn& drawn : self.Frame.GetAll())
+      for (const rtglyphs::RayTracedFrame::Drawn& drawn : all)
       {
         images.emplace_back(&drawn.Entry->Image.GetImage(), drawn.Entry->Tracer->Features());
       }
-      problem = rtglyphs::RayTracedFeatureImage::Write(self.FeatureFile, images, *self.Images.GetScene(),
-        self.Displays.GetShownMappers(), self.Frame.GetAll().front().EyeDepth);
+      problem = rtglyphs::RayTracedFeatureImage::Write(
+        self.FeatureFile, images, *self.Images.GetScene(), self.Displays.GetShownMappers(), all.front().EyeDepth);
     }
     catch (const std::exception& error) // the device may be lost, or memory run out
     {

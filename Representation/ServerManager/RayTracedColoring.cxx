@@ -189,7 +189,9 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   if (window && (std::exchange(this->Replaced, false) || chosen) && !this->Bytes) // a bar would show what no table maps
   {
-    UpdateBars(view, table);
+    const bool same =
+      table == vtkSMPropertyHelper(display, "LookupTable").GetAsProxy() && !ColorArrayOf(display).empty();
+    UpdateBars(view, same ? nullptr : table.Get());
   }
 }
 

@@ -81,7 +81,8 @@ def main():
     failures += buttons(window, view, reader, shown)
     failures += bar_of_tensors(view)
     failures += molecule(window, view)
-    pv.Delete(reader)
+    for source in pv.GetSources().values():
+        pv.Delete(source)
     failures += surfaces(window, view)
     return failures
 
