@@ -48,9 +48,6 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
   this->Arrays->setObjectName("ComboBox");
   this->Arrays->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   this->setProperty(property);
-  vtkSMProxy* glyphs = rtglyphs::RayTracedChoices::GlyphsOf(display);
-  vtkSMProperty* own = glyphs ? glyphs->GetProperty(display->GetPropertyName(property)) : nullptr;
-  this->setToolTip(pqPropertyWidget::getTooltip(own ? own : property));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Arrays);
@@ -131,10 +128,13 @@ void pqRayTracedGlyphsArray::choose(int entry)
 }
 
 //----------------------------------------------------------------------------
-// ParaView labels a row as its property, which is 3D Glyphs' here.
+// ParaView labels and describes a row as its property, which is 3D Glyphs' here.
 void pqRayTracedGlyphsArray::showEvent(QShowEvent* event)
 {
   this->pqPropertyWidget::showEvent(event);
+  vtkSMProxy* glyphs = rtglyphs::RayTracedChoices::GlyphsOf(this->proxy());
+  vtkSMProperty* own = glyphs ? glyphs->GetProperty(this->proxy()->GetPropertyName(this->property())) : nullptr;
+  this->setToolTip(pqPropertyWidget::getTooltip(own ? own : this->property()));
   auto* rows = qobject_cast<QGridLayout*>(this->parentWidget()->layout());
   int row = 0, column = 0, height = 0, width = 0;
   if (rows && rows->indexOf(this) >= 0)
