@@ -19,8 +19,6 @@ const std::uint32_t emptyWords[wordsPerPixel] = { 0u, glm::floatBitsToUint(1.0f)
 
 void ImageBuffers::Prepare(Device::State& device, const TraceSettings& settings, bool keepSums)
 {
-  this->width_ = settings.width;
-  this->height_ = settings.height;
   this->pixels_ = std::size_t(settings.width) * settings.height;
   const std::size_t bytes = wordsPerPixel * this->pixels_ * sizeof(std::uint32_t);
   this->words_.Fit(device, bytes);
@@ -83,9 +81,9 @@ void ImageBuffers::Show(Image& image)
   image.glyphIds = words + 3 * this->pixels_;
 }
 
-ImageFeatures ImageBuffers::Features() const
+ImageFeatures ImageBuffers::Features(const Image& image) const
 {
-  ImageFeatures features{ this->width_, this->height_, std::vector<glm::vec3>(this->pixels_, glm::vec3(0.0f)),
+  ImageFeatures features{ image.width, image.height, std::vector<glm::vec3>(this->pixels_, glm::vec3(0.0f)),
     std::vector<glm::vec3>(this->pixels_, glm::vec3(0.0f)), std::vector<float>(this->pixels_, 0.0f) };
   this->features_.Read(this->pixels_ * sizeof(device::PixelFeatures),
     [&](const void* read)

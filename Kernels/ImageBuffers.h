@@ -29,14 +29,13 @@ public:
   /// Lets the image point at its pixels, where the host can read them.
   void Show(Image& image);
 
-  ImageFeatures Features() const;
+  ImageFeatures Features(const Image& image) const;
 
   /// Tracer::Means() of sums of so many samples, and of the same sums, if wanted, the light missing on the ground, as a
   /// fraction of all light in the pixel.
   std::vector<glm::vec4> Means(std::uint32_t samples, std::vector<float>* missingLight) const;
 
 private:
-  std::uint32_t width_ = 0, height_ = 0;
   std::size_t pixels_ = 0;
   Buffer words_;           ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
   Buffer shown_;           ///< a copy of them for the host, none on a device that shares its memory

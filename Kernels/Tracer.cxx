@@ -317,11 +317,12 @@ std::vector<glm::vec4> Tracer::Means(std::vector<float>* missingLight) const
 ImageFeatures Tracer::Features() const
 {
   const State& state = *this->state_;
-  if (!state.job.settings.features || !state.job.image.complete || !state.job.image.color)
+  const Image& image = state.job.image;
+  if (!state.job.settings.features || !image.complete || !image.color)
   {
     throw Error("Ray Traced Glyphs: Features() needs an image that was traced with features.");
   }
-  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Features(); });
+  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Features(image); });
 }
 
 DenoiseTask Tracer::Denoise(std::stop_token stop) const

@@ -1,13 +1,12 @@
 #include "pqRayTracedGlyphsAbort.h"
 
+#include "RayTracedOpenGLState.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqProgressManager.h"
 #include "pqProgressWidget.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -127,11 +126,9 @@ void pqRayTracedGlyphsAbort::abortChecked(vtkObject* caller)
   if (!this->Aborted && this->SinceStart.isValid() && this->SinceStart.elapsed() > quietTime)
   {
     // Widgets that paint make OpenGL contexts of their own current, and bind their framebuffers in the window's.
-    window->GetState()->Reset(); // records what is bound, which VTK does not follow
-    window->GetState()->Push();
+    rtglyphs::RayTracedOpenGLState::Save(window);
     this->Listen();
-    window->MakeCurrent();
-    window->GetState()->Pop();
+    rtglyphs::RayTracedOpenGLState::Restore(window);
     this->Rest.start();
   }
   if (this->Aborted)

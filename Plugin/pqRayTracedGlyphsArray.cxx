@@ -25,11 +25,17 @@ bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
   return property == display->GetProperty("SelectScaleArray");
 }
 
+// The property of that name that ray-traced glyphs have themselves; null: there is none.
+vtkSMProperty* OwnOf(vtkSMProxy* display, vtkSMProperty* property)
+{
+  vtkSMProxy* glyphs = rtglyphs::RayTracedChoices::GlyphsOf(display);
+  return glyphs ? glyphs->GetProperty(display->GetPropertyName(property)) : nullptr;
+}
+
 // The arrays that 3D Glyphs takes, or, with `own`, those that ray-traced glyphs take.
 vtkSMStringListDomain* ArraysOf(vtkSMProxy* display, vtkSMProperty* property, bool own)
 {
-  vtkSMProxy* glyphs = own ? rtglyphs::RayTracedChoices::GlyphsOf(display) : display;
-  vtkSMProperty* listed = glyphs ? glyphs->GetProperty(display->GetPropertyName(property)) : nullptr;
+  vtkSMProperty* listed = own ? OwnOf(display, property) : property;
   return listed ? listed->FindDomain<vtkSMStringListDomain>() : nullptr;
 }
 
@@ -132,8 +138,7 @@ void pqRayTracedGlyphsArray::choose(int entry)
 void pqRayTracedGlyphsArray::showEvent(QShowEvent* event)
 {
   this->pqPropertyWidget::showEvent(event);
-  vtkSMProxy* glyphs = rtglyphs::RayTracedChoices::GlyphsOf(this->proxy());
-  vtkSMProperty* own = glyphs ? glyphs->GetProperty(this->proxy()->GetPropertyName(this->property())) : nullptr;
+  vtkSMProperty* own = OwnOf(this->proxy(), this->property());
   this->setToolTip(pqPropertyWidget::getTooltip(own ? own : this->property()));
   auto* rows = qobject_cast<QGridLayout*>(this->parentWidget()->layout());
   int row = 0, column = 0, height = 0, width = 0;

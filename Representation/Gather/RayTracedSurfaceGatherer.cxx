@@ -57,15 +57,21 @@ vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settin
   return vtkPolyData::SafeDownCast(faces->GetOutputDataObject(0));
 }
 
+// Without a copy of the values.
+void AddAs(vtkDataSetAttributes* data, vtkDataArray* array, const char* name)
+{
+  vtkSmartPointer<vtkDataArray> named = vtk::TakeSmartPointer(array->NewInstance());
+  named->ShallowCopy(array);
+  named->SetName(name);
+  data->AddArray(named);
+}
+
 void Rename(vtkDataSetAttributes* data, const char* from, const char* to)
 {
   if (vtkDataArray* array = data->GetArray(from))
   {
-    vtkSmartPointer<vtkDataArray> renamed = vtk::TakeSmartPointer(array->NewInstance());
-    renamed->ShallowCopy(array);
-    renamed->SetName(to);
+    AddAs(data, array, to);
     data->RemoveArray(from);
-    data->AddArray(renamed);
   }
 }
 
@@ -90,10 +96,7 @@ vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* polygons, bool computesNor
   vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
   if (vtkDataArray* normals = surface->GetPointData()->GetNormals())
   {
-    vtkSmartPointer<vtkDataArray> own = vtk::TakeSmartPointer(normals->NewInstance());
-    own->ShallowCopy(normals);
-    own->SetName(rtglyphs::RayTracedArrays::Normals);
-    surface->GetPointData()->AddArray(own);
+    AddAs(surface->GetPointData(), normals, rtglyphs::RayTracedArrays::Normals);
   }
   else if (computesNormals && surface->GetNumberOfPolys() > 0)
   {

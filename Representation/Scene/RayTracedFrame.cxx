@@ -1,11 +1,10 @@
 #include "RayTracedFrame.h"
 
 #include "RayTracedFrameStatus.h"
+#include "RayTracedOpenGLState.h"
 #include "RayTracedProgress.h"
 #include "RayTracedRanks.h"
 #include "vtkCamera.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -132,12 +131,10 @@ const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
   };
   // The progress callback may switch the OpenGL context: Qt makes its own current, and binds framebuffers of widgets in
   // ours.
-  window->GetState()->Reset(); // records what is bound, which VTK does not follow
-  window->GetState()->Push();
+  rtglyphs::RayTracedOpenGLState::Save(window);
   const rtg::Image* image =
     stays && growing ? &entry.Image.GetImage() : this->Images.Update(entry, view, effort, interrupt);
-  window->MakeCurrent();
-  window->GetState()->Pop();
+  rtglyphs::RayTracedOpenGLState::Restore(window);
   this->All.push_back(
     { place, &entry, image, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
   this->To.Traced(this->All.back());

@@ -1,9 +1,8 @@
 #include "RayTracedProgress.h"
 
+#include "RayTracedOpenGLState.h"
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkPVProgressHandler.h"
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
@@ -29,8 +28,7 @@ rtglyphs::RayTracedProgress::RayTracedProgress()
     {
       if (vtkOpenGLRenderWindow* window = static_cast<rtglyphs::RayTracedProgress*>(self)->Window)
       {
-        window->GetState()->Reset(); // records what is bound, which VTK does not follow
-        window->GetState()->Push();
+        rtglyphs::RayTracedOpenGLState::Save(window);
       }
     });
   this->After->SetClientData(this);
@@ -39,8 +37,7 @@ rtglyphs::RayTracedProgress::RayTracedProgress()
     {
       if (vtkOpenGLRenderWindow* window = static_cast<rtglyphs::RayTracedProgress*>(self)->Window)
       {
-        window->MakeCurrent();
-        window->GetState()->Pop();
+        rtglyphs::RayTracedOpenGLState::Restore(window);
       }
     });
 }
